@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What two touching classes share: the coefficients a contact law reads, computed once at set-up.
+//
+// A law turns the two sides of a contact (qn_sides: elasticity, radius, mass, what the scene says
+// of the pair) into these few numbers; the inner loop then needs no material, radius or mass.
+#ifndef QN_PHYSICS_PAIR_H
+#define QN_PHYSICS_PAIR_H
+
+#include "physics/real.h"
+
+/// Both sides of a contact before it happens. A wall has infinite mass, and infinite radius where
+/// it is flat; where it is curved its radius is negative seen from inside (a concave shell).
+typedef struct qn_sides {
+    double young[2], poisson[2];  // Pa, 1
+    double radius[2], mass[2];    // m, kg
+    bool fixed[2];                //        never moves: counts as infinite mass where the law asks
+    bool wall;                    //        side 1 is a wall
+    double friction;              // 1      Coulomb coefficient mu
+    double restitution;           // 1      ]0, 1]
+    double rolling_friction;      // 1      mu_r
+    double stiffness;             // N/m    linear law only
+    double tangential_ratio;      // 1      linear law only: k_t / k_n
+    double dt;                    // s
+    bool clip;                    //        no attraction before separation
+} qn_sides;
+
+/// Coefficients of one pair of classes. The units of the first four depend on the law; its list row
+/// (laws.h) names them.
+typedef struct qn_pair {
+    double normal_stiffness, normal_damping;
+    double tangential_stiffness, tangential_damping;
+    double friction;       // 1
+    double floor;          // N      least normal force: 0, or minus infinity where attraction is let be
+    double rolling_arm;    // m      mu_r R*: rolling torque per newton
+    double rolling_limit;  // kg m2/s  torque per rad/s that would stop the rolling within one step
+    double depth_scale;    // 1      what the law calls overlap, in true overlaps
+    double dt;             // s
+} qn_pair;
+
+/// 1/R* = 1/R_a + 1/R_b.
+QN_FN double qn_effective_radius(const qn_sides *s)
+{
+    return 1 / (1 / s->radius[0] + 1 / s->radius[1]);
+}
+
+/// 1/m* = 1/m_a + 1/m_b, a side that never moves counting as infinitely heavy.
+QN_FN double qn_effective_mass(const qn_sides *s)
+{
+    double inverse = (s->fixed[0] ? 0 : 1 / s->mass[0]) + (s->fixed[1] ? 0 : 1 / s->mass[1]);
+    return 1 / inverse;
+}
+
+/// 1/E* = (1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b. Johnson (1985), Contact Mechanics, eq. 4.25.
+QN_FN double qn_effective_young(const qn_sides *s)
+{
+    double compliance = 0;
+    for (int i = 0; i < 2; i++)
+        compliance += (1 - s->poisson[i] * s->poisson[i]) / s->young[i];
+    return 1 / compliance;
+}
+
+/// 1/G* = (2 - nu_a)/G_a + (2 - nu_b)/G_b with G = E / (2 (1 + nu)). Mindlin (1949).
+QN_FN double qn_effective_shear(const qn_sides *s)
+{
+    double compliance = 0;
+    for (int i = 0; i < 2; i++)
+        compliance += (2 - s->poisson[i]) * 2 * (1 + s->poisson[i]) / s->young[i];
+    return 1 / compliance;
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mindlin's no-slip tangential spring with displacement history.
+//
+//     F_t = -k sqrt(depth) slip - c depth^(1/4) slide, |F_t| <= mu F_n                  [N]
+//     k = 8 G* sqrt(R*)                                                         [N/m^1.5]
+//     c = 2 sqrt(5/6) zeta sqrt(m* k)                                      [N s/m^1.25]
+//
+// The stiffness follows the contact radius at constant slip. That spring is not conservative: its
+// stored energy changes with the depth without work being done; the step books the difference as
+// the Mindlin residue (qn_mindlin_residue).
+//
+// Source: Mindlin (1949), J. Appl. Mech. 16, 259; Di Renzo & Di Maio (2004), Chem. Eng. Sci. 59, 525,
+//         doi:10.1016/j.ces.2003.09.037 (no-slip form).
+// Holds:  no partial slip inside the contact (Mindlin & Deresiewicz); small slip.
+#ifndef QN_PHYSICS_TANGENTIAL_MINDLIN_H
+#define QN_PHYSICS_TANGENTIAL_MINDLIN_H
+
+#include "physics/normal.h"
+#include "physics/tangential.h"
+
+static inline void qn_mindlin_tangential_pair(const qn_sides *s, qn_pair *p)
+{
+    double k = 8 * qn_effective_shear(s) * sqrt(qn_effective_radius(s));
+    p->tangential_stiffness = k;
+    p->tangential_damping =
+        2 * sqrt(5.0 / 6) * qn_sides_damping_ratio(s) * sqrt(qn_effective_mass(s) * k);
+}
+
+QN_FN qn_tangential qn_mindlin_tangential(const qn_pair *p, double depth, double limit,
+                                          qn_vec3 slip, qn_vec3 slide)
+{
+    double root = sqrt(depth);
+    return qn_slider(p->tangential_stiffness * root, p->tangential_damping * sqrt(root), limit,
+                     slip, slide, p->dt);
+}
+
+/// Energy the spring loses in one step because its stiffness falls with the depth (J; a gain while
+/// the depth grows): -1/2 slip^2 dk/dt dt with k ~ sqrt(depth).
+QN_FN double qn_mindlin_residue(double energy, double depth, double rate, double dt)
+{
+    return -0.5 * energy * rate * dt / depth;
+}
+
+#endif

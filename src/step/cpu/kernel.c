@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contacts of one share, eight at a time (kernel.h). Compiled once per instruction set, with QN_ISA
+// naming it.
+//
+// Touching pairs are queued by their pair of classes, so that a block of eight shares one law and one
+// set of coefficients; a full queue is gathered into columns, evaluated side by side by the law's
+// scalar function (contact.h), and added to the loads as integers.
+#include "step/cpu/block.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define JOIN_(a, b) a##_##b
+#define JOIN(a, b) JOIN_(a, b)
+
+#define GET(columns, l) qn_v3((columns).x[l], (columns).y[l], (columns).z[l])
+#define PUT(columns, l, v)             \
+    do {                               \
+        qn_vec3 put_ = (v);            \
+        (columns).x[l] = put_.x;       \
+        (columns).y[l] = put_.y;       \
+        (columns).z[l] = put_.z;       \
+    } while (0)
+
+// block_NAME: eight contacts under one law, lane_NAME one of them. (A lane is a function of its own
+// so that its structures stay in registers: inside an omp simd loop they would become arrays.)
+// clang-format off
+#define L(NAME, text, normal_model, tangential_model, clips, stiffness, damping_unit, meaning)    \
+    QN_FN void lane_##NAME(const qn_pair *p, const qn_reach *g, block *b, int l)                   \
+    {                                                                                              \
+        qn_touch t;                                                                                \
+        qn_reply r;                                                                                \
+        t.between = GET(b->between, l);                                                            \
+        t.velocity = GET(b->velocity, l);                                                          \
+        t.kick = GET(b->kick, l);                                                                  \
+        t.spin_a = GET(b->spin_a, l);                                                              \
+        t.spin_b = GET(b->spin_b, l);                                                              \
+        t.spin_kick_a = GET(b->spin_kick_a, l);                                                    \
+        t.spin_kick_b = GET(b->spin_kick_b, l);                                                    \
+        t.slip = GET(b->slip, l);                                                                  \
+        qn_contact_##NAME(p, g, &t, &r);                                                           \
+        PUT(b->force, l, qn_madd(r.tangential, r.push, r.normal));                                 \
+        PUT(b->torque_a, l, r.torque_a);                                                           \
+        PUT(b->torque_b, l, r.torque_b);                                                           \
+        PUT(b->rolling, l, r.rolling);                                                             \
+        PUT(b->normal, l, r.normal);                                                               \
+        PUT(b->next_slip, l, r.slip);                                                              \
+        b->depth[l] = r.depth;                                                                     \
+        b->energy[QN_TALLY_NORMAL][l] = r.lost_normal;                                             \
+        b->energy[QN_TALLY_TANGENTIAL][l] = r.lost_tangential;                                     \
+        b->energy[QN_TALLY_SLIDING][l] = r.lost_sliding;                                           \
+        b->energy[QN_TALLY_ROLLING][l] = r.lost_rolling;                                           \
+        b->energy[QN_TALLY_RESIDUE][l] = r.residue;                                                \
+        b->energy[QN_TALLY_ELASTIC_NORMAL][l] = r.stored_normal;                                   \
+        b->energy[QN_TALLY_ELASTIC_TANGENTIAL][l] = r.stored_tangential;                           \
+    }                                                                                              \
+    static __attribute__((noinline)) void block_##NAME(const qn_pair *pair, const qn_reach *reach, \
+                                                       block *b)                                   \
+    {                                                                                              \
+        const qn_pair p = *pair;                                                                   \
+        const qn_reach g = *reach;                                                                 \
+        _Pragma("omp simd")                                                                        \
+        for (int l = 0; l < W; l++) lane_##NAME(&p, &g, b, l);                                     \
+    }
+QN_LAWS(L)
+#undef L
+
+static void evaluate(qn_law law, const qn_pair *pair, const qn_reach *reach, block *b)
+{
+    switch (law) {
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
+    case QN_LAW_##NAME: block_##NAME(pair, reach, b); break;
+        QN_LAWS(L)
+#undef L
+    case QN_LAW_COUNT: break;
+    }
+}
+// clang-format on
+
+// Forces and torques as integers: side 0 feels the force, side 1 its opposite.
+static void quantise(block *b, const qn_class *a, const qn_class *other)
+{
+    const double *force[3] = {b->force.x, b->force.y, b->force.z};
+    const double *torque[2][3] = {{b->torque_a.x, b->torque_a.y, b->torque_a.z},
+                                  {b->torque_b.x, b->torque_b.y, b->torque_b.z}};
+    const qn_class *side[2] = {a, other};
+    for (int s = 0; s < 2 && side[s]; s++) {
+        double per_force = (s ? -1 : 1) / side[s]->force_unit;
+        double per_torque = 1 / side[s]->torque_unit;
+        for (int axis = 0; axis < 3; axis++)
+            for (int l = 0; l < W; l++) {
+                b->load[s][axis][l] = (int64_t)(force[axis][l] * per_force);
+                b->load[s][3 + axis][l] = (int64_t)(torque[s][axis][l] * per_torque);
+            }
+    }
+}
+
+static void add_load(qn_load *to, const block *b, int side, int l)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        to->force[axis] += b->load[side][axis][l];
+        to->torque[axis] += b->load[side][3 + axis][l];
+    }
+}
+
+// Adds the first `count` lanes' energies: rounded to the energy unit by adding and taking off a number
+// so large that no smaller bits survive, hence sums of integers.
+static void tally(const qn_world *w, qn_tally_sums *sums, const block *b, int count, double radius)
+{
+    double rounder = 1.5 * 0x1p52 * w->energy_unit, deepest = sums->deepest * radius;
+    for (int e = 0; e < QN_TALLY_COUNT; e++)
+        for (int l = 0; l < count; l++)
+            sums->energy[e][l] += (b->energy[e][l] + rounder) - rounder;
+    for (int l = 0; l < count; l++) deepest = qn_max(deepest, b->depth[l]);
+    sums->deepest = deepest / radius;
+}
+
+static qn_load *load_of(qn_world *w, qn_share *share, int home)
+{
+    return home >= share->first && home < share->last ? &w->load[home] : &share->spill[home];
+}
+
+static void gather_pair(const qn_world *w, const qn_share *share, const queue *q, int from, int l,
+                        block *b)
+{
+    const qn_place *pa = &w->place[q->a[from]], *pb = &w->place[q->b[from]];
+    const qn_motion *a = &w->motion[pa->home], *o = &w->motion[pb->home];
+    PUT(b->between, l, qn_v3(pa->x - pb->x, pa->y - pb->y, pa->z - pb->z));
+    PUT(b->velocity, l, qn_sub(a->velocity, o->velocity));
+    PUT(b->kick, l, qn_sub(a->kick, o->kick));
+    PUT(b->spin_a, l, a->spin);
+    PUT(b->spin_b, l, o->spin);
+    PUT(b->spin_kick_a, l, a->spin_kick);
+    PUT(b->spin_kick_b, l, o->spin_kick);
+    PUT(b->slip, l, share->slip[q->slot[from]]);
+}
+
+// Evaluates the pairs queued for classes (a, b); a lane without a pair repeats the first.
+static void flush_pairs(qn_world *w, qn_share *share, int classes, qn_mode mode)
+{
+    workspace *work = share->workspace;
+    queue *q = &work->pairs[classes];
+    block *b = &work->block;
+    const qn_class *ca = &w->classes[classes / w->class_count];
+    const qn_class *cb = &w->classes[classes % w->class_count];
+    if (q->count == 0) return;
+    for (int l = 0; l < W; l++) gather_pair(w, share, q, l < q->count ? l : 0, l, b);
+    evaluate(w->laws[classes], &w->pairs[classes], &w->reaches[classes], b);
+    quantise(b, ca, cb);
+    for (int l = 0; l < q->count; l++) {
+        add_load(load_of(w, share, w->place[q->a[l]].home), b, 0, l);
+        add_load(load_of(w, share, w->place[q->b[l]].home), b, 1, l);
+    }
+    if (mode == QN_COMMIT)
+        for (int l = 0; l < q->count; l++) {
+            share->slip[q->slot[l]] = GET(b->next_slip, l);
+            share->touching[q->slot[l]] = 1;
+        }
+    tally(w, share->sums, b, q->count, qn_min(ca->radius, cb->radius));
+    share->sums->contacts += q->count;
+    q->count = 0;
+}
+
+// The distance check of the whole list: pairs that touch are queued, those that no longer do forget.
+static void all_pairs(qn_world *w, qn_share *share, qn_mode mode)
+{
+    workspace *work = share->workspace;
+    const double *touch2 = w->neighbours->touch2;
+    int n = w->class_count;
+    for (int i = share->first; i < share->last; i++) {
+        const qn_place p = w->place[i];
+        int64_t end = share->row[i - share->first + 1];
+        for (int64_t k = share->row[i - share->first]; k < end; k++) {
+            bool lower;
+            int j = qn_partner(share, k, &lower);
+            const qn_place q = w->place[j];
+            double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
+            int classes = lower ? q.klass * n + p.klass : p.klass * n + q.klass;
+            if (x * x + y * y + z * z < touch2[classes]) {
+                queue *waiting = &work->pairs[classes];
+                waiting->a[waiting->count] = lower ? j : i;
+                waiting->b[waiting->count] = lower ? i : j;
+                waiting->slot[waiting->count] = k;
+                if (++waiting->count == W) flush_pairs(w, share, classes, mode);
+            } else if (share->touching[k] && mode == QN_COMMIT) {
+                share->touching[k] = 0;
+                share->slip[k] = qn_v3(0, 0, 0);
+            }
+        }
+    }
+    for (int c = 0; c < n * n; c++) flush_pairs(w, share, c, mode);
+}
+
+// A wall point turns with speed W about z: its velocity half a step ago is W x p - W x (W x p) dt/2,
+// and the rest of the way to now is its kick.
+static void gather_wall(const qn_world *w, const qn_share *share, const qn_pose *pose,
+                        const queue *q, int from, int l, block *b)
+{
+    const qn_place *place = &w->place[q->a[from]];
+    const qn_motion *a = &w->motion[q->a[from]];
+    const qn_wall_hit *hit = &q->hit[from];
+    double turn = hit->turning ? pose->speed : 0, bend = 0.5 * turn * turn * w->dt;
+    qn_vec3 p = hit->point;
+    qn_vec3 wall_kick = qn_v3(-bend * p.x, -bend * p.y, 0);
+    qn_vec3 wall = qn_sub(qn_v3(-turn * p.y, turn * p.x, 0), wall_kick);
+    qn_vec3 x = qn_v3(place->x, place->y, place->z);
+    PUT(b->between, l, qn_sub(x, p));
+    PUT(b->velocity, l, qn_sub(a->velocity, wall));
+    PUT(b->kick, l, qn_sub(a->kick, wall_kick));
+    PUT(b->spin_a, l, a->spin);
+    PUT(b->spin_b, l, qn_v3(0, 0, turn));
+    PUT(b->spin_kick_a, l, a->spin_kick);
+    PUT(b->spin_kick_b, l, qn_v3(0, 0, 0));
+    PUT(b->slip, l, share->walls_next[q->slot[from]].slip);
+}
+
+static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int kind)
+{
+    workspace *work = share->workspace;
+    queue *q = &work->walls[kind];
+    block *b = &work->block;
+    const qn_class *c = &w->classes[kind % w->class_count];
+    const qn_reach reach = {c->radius, c->radius, 0, 1, 0};
+    double per_torque = 1 / qn_torque_unit(w);
+    if (q->count == 0) return;
+    for (int l = 0; l < W; l++) gather_wall(w, share, pose, q, l < q->count ? l : 0, l, b);
+    evaluate(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
+    quantise(b, c, NULL);
+    for (int l = 0; l < q->count; l++) {
+        const qn_wall_hit *hit = &q->hit[l];
+        qn_wall_contact *contact = &share->walls_next[q->slot[l]];
+        double torque = hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l]
+                        + b->rolling.z[l];
+        add_load(&w->load[q->a[l]], b, 0, l);
+        share->sums->torque[hit->part] += (int64_t)(torque * per_torque);
+        contact->slip = GET(b->next_slip, l);
+        contact->normal = GET(b->normal, l);
+    }
+    tally(w, share->sums, b, q->count, c->radius);
+    share->sums->wall_contacts += q->count;
+    q->count = 0;
+}
+
+// The history of a touch: that of the same feature at the last step, else that of a feature which is
+// no longer touched and whose normal is within 20 degrees, as when rolling over a joint.
+static qn_vec3 wall_history(const qn_wall_contact *old, int old_count, const qn_wall_hit *hits,
+                            int hit_count, int h, qn_vec3 centre)
+{
+    for (int k = 0; k < old_count; k++)
+        if (old[k].feature == hits[h].feature) return old[k].slip;
+    qn_vec3 away = qn_sub(centre, hits[h].point);
+    double least = 0.9396926207859084 * qn_norm(away);  // cos 20 degrees
+    for (int k = 0; k < old_count; k++) {
+        bool still = false;
+        for (int other = 0; other < hit_count; other++)
+            still |= old[k].feature == hits[other].feature;
+        if (!still && qn_dot(old[k].normal, away) > least) return old[k].slip;
+    }
+    return qn_v3(0, 0, 0);
+}
+
+// Queues the touches of one particle. old: its wall contacts of the last step.
+static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, int i,
+                             const qn_wall_contact *old, int old_count)
+{
+    enum { ROOM = 32 };
+    workspace *work = share->workspace;
+    qn_wall_hit hits[ROOM];
+    const qn_place *p = &w->place[i];
+    qn_vec3 centre = qn_v3(p->x, p->y, p->z);
+    int count = qn_walls_touch(&w->walls, pose, centre, w->classes[p->klass].radius, hits, ROOM);
+    if (count > ROOM)
+        return qn_fail(QN_UNSTABLE, "particle %lld touches %d wall features at once, at most %d",
+                       (long long)w->id[i], count, ROOM);
+    for (int h = 0; h < count; h++) {
+        QN_TRY(QN_RESERVE(share->walls_next, share->wall_next_room, share->wall_next_count + 1));
+        int slot = share->wall_next_count++;
+        share->walls_next[slot] =
+            (qn_wall_contact){w->id[i], hits[h].feature, i,
+                              wall_history(old, old_count, hits, count, h, centre), {0, 0, 0}};
+        int kind = hits[h].surface * w->class_count + p->klass;
+        queue *q = &work->walls[kind];
+        q->a[q->count] = i;
+        q->slot[q->count] = slot;
+        q->hit[q->count] = hits[h];
+        if (++q->count == W) flush_walls(w, share, pose, kind);
+    }
+    return QN_OK;
+}
+
+static qn_status all_walls(qn_world *w, qn_share *share, const qn_pose *pose)
+{
+    int at = 0;
+    share->wall_next_count = 0;
+    for (int i = share->first; i < share->last; i++) {
+        int from = at;
+        while (at < share->wall_count && share->walls[at].index == i) at++;
+        if (w->classes[w->place[i].klass].inverse_mass <= 0) continue;
+        QN_TRY(touch_walls(w, share, pose, i, share->walls + from, at - from));
+    }
+    for (int k = 0; k < w->surface_count * w->class_count; k++) flush_walls(w, share, pose, k);
+    return QN_OK;
+}
+
+qn_status JOIN(qn_kernel_contacts, QN_ISA)(qn_world *w, qn_share *share, const qn_pose *pose,
+                                           qn_mode mode);
+
+qn_status JOIN(qn_kernel_contacts, QN_ISA)(qn_world *w, qn_share *share, const qn_pose *pose,
+                                           qn_mode mode)
+{
+    all_pairs(w, share, mode);
+    QN_TRY(all_walls(w, share, pose));
+    if (mode == QN_PROBE) return QN_OK;
+    qn_wall_contact *walls = share->walls;
+    int64_t room = share->wall_room;
+    share->walls = share->walls_next, share->wall_room = share->wall_next_room;
+    share->walls_next = walls, share->wall_next_room = room;
+    share->wall_count = share->wall_next_count;
+    return QN_OK;
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// One time step on the CPU: shares in parallel, each on one thread.
+#include "step/step.h"
+#include "step/cpu/kernel.h"
+#include "step/guards.h"
+
+#include <string.h>
+
+#define QN_FAST 0.2  // 1   of the smallest radius: no particle may move further in one step
+
+// Periodic images follow their originals.
+static void place_images(qn_world *w)
+{
+    for (int k = w->count; k < w->count + w->neighbours->image_count; k++) {
+        w->place[k] = w->place[w->place[k].home];
+        w->place[k].z += w->period;
+    }
+}
+
+static void clear_share(qn_world *w, qn_share *share)
+{
+    memset(&w->load[share->first], 0, (size_t)(share->last - share->first) * sizeof *w->load);
+    for (int k = 0; k < share->foreign_count; k++)
+        memset(&share->spill[share->foreign[k]], 0, sizeof *share->spill);
+    qn_tally_sums *sums = share->sums;
+    memset(sums->energy, 0, sizeof sums->energy);
+    memset(sums->torque, 0, (size_t)w->walls.part_count * sizeof *sums->torque);
+    sums->deepest = 0, sums->contacts = 0, sums->wall_contacts = 0;
+}
+
+// Takes what the other shares spilled onto this one's particles.
+static void fold(qn_world *w, qn_share *share)
+{
+    const qn_neighbours *nb = w->neighbours;
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_share *other = &nb->shares[t];
+        for (int k = 0; k < other->foreign_count; k++) {
+            int i = other->foreign[k];
+            if (i < share->first || i >= share->last) continue;
+            for (int axis = 0; axis < 3; axis++) {
+                w->load[i].force[axis] += other->spill[i].force[axis];
+                w->load[i].torque[axis] += other->spill[i].torque[axis];
+            }
+        }
+    }
+}
+
+// Contacts of all shares into the loads.
+static qn_status contacts(qn_world *w, const qn_pose *pose, qn_mode mode)
+{
+    qn_neighbours *nb = w->neighbours;
+    qn_status worst = QN_OK;
+    for (int t = 0; t < nb->share_count; t++) QN_TRY(qn_kernel_prepare(w, &nb->shares[t]));
+#pragma omp parallel num_threads(nb->share_count)
+    {
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < nb->share_count; t++) {
+            clear_share(w, &nb->shares[t]);
+            qn_status status = qn_kernel_contacts(w, &nb->shares[t], pose, mode);
+            if (status != QN_OK) {
+#pragma omp critical
+                worst = status;
+            }
+        }
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < nb->share_count; t++) fold(w, &nb->shares[t]);
+    }
+    return worst == QN_OK ? QN_OK : qn_fail(worst, "the list of wall contacts could not grow");
+}
+
+// Brings the shares' sums of this step together in the ledger.
+static void tally(qn_world *w)
+{
+    qn_ledger *ledger = &w->ledger;
+    const qn_neighbours *nb = w->neighbours;
+    double unit = qn_torque_unit(w);
+    ledger->contacts_now = ledger->wall_contacts_now = 0;
+    ledger->deepest_now = 0;
+    memset(ledger->now, 0, sizeof ledger->now);
+    for (int p = 0; p < ledger->part_count; p++) ledger->torque_now[p] = 0;
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_tally_sums *sums = nb->shares[t].sums;
+        for (int e = 0; e < QN_TALLY_COUNT; e++)
+            for (int l = 0; l < QN_LANES; l++) ledger->now[e] += sums->energy[e][l];
+        for (int p = 0; p < ledger->part_count; p++)
+            ledger->torque_now[p] += unit * (double)sums->torque[p];
+        ledger->contacts_now += sums->contacts;
+        ledger->wall_contacts_now += sums->wall_contacts;
+        ledger->deepest_now = qn_max(ledger->deepest_now, sums->deepest);
+    }
+}
+
+qn_status qn_step_forces(qn_world *w, qn_mode mode)
+{
+    qn_pose pose = qn_walls_pose(&w->walls, qn_world_time(w));
+    QN_TRY(qn_step_begin(w));
+    if (w->neighbours->stale) QN_TRY(qn_neighbours_rebuild(w));
+    place_images(w);
+    QN_TRY(contacts(w, &pose, mode));
+    tally(w);
+    w->committed = mode == QN_COMMIT;
+    return qn_guard_overlap(w);
+}
+
+qn_status qn_step_begin(qn_world *w)
+{
+    if (w->started) return QN_OK;
+    w->started = true;
+    QN_TRY(qn_step_forces(w, QN_PROBE));
+    for (int i = 0; i < w->count; i++) {
+        qn_motion *m = &w->motion[i];
+        m->kick = qn_scale(0.5 * w->dt, qn_acceleration(w, i));
+        m->spin_kick = qn_scale(0.5 * w->dt, qn_angular_acceleration(w, i));
+        m->velocity = qn_sub(m->velocity, m->kick);
+        m->spin = qn_sub(m->spin, m->spin_kick);
+    }
+    return QN_OK;
+}
+
+// Kick and drift of the particles [first, last). Returns whether one has used up half the skin.
+static bool move(qn_world *w, int first, int last, bool *lost)
+{
+    double half_skin2 = 0.25 * w->neighbours->skin * w->neighbours->skin;
+    double fast = QN_FAST * w->smallest_radius / w->dt, rounder = 1.5 * 0x1p52 * w->lattice;
+    bool spent = false, unsound = false;
+    for (int i = first; i < last; i++) {
+        qn_motion *m = &w->motion[i];
+        qn_place *p = &w->place[i];
+        const qn_anchor *anchor = &w->neighbours->anchor[i];
+        qn_vec3 a = qn_acceleration(w, i), turn = qn_angular_acceleration(w, i);
+        m->velocity = qn_madd(m->velocity, w->dt, a);
+        m->spin = qn_madd(m->spin, w->dt, turn);
+        m->kick = qn_scale(0.5 * w->dt, a);
+        m->spin_kick = qn_scale(0.5 * w->dt, turn);
+        p->x += w->dt * m->velocity.x;
+        p->y += w->dt * m->velocity.y;
+        p->z += w->dt * m->velocity.z;
+        p->z = w->period > 0 ? (p->z + rounder) - rounder : p->z;
+        double x = p->x - anchor->x, y = p->y - anchor->y, z = p->z - anchor->z;
+        spent |= !(x * x + y * y + z * z <= half_skin2);
+        unsound |= !(qn_dot(m->velocity, m->velocity) <= fast * fast);
+    }
+    *lost = unsound;
+    return spent;
+}
+
+qn_status qn_step_advance(qn_world *w)
+{
+    qn_neighbours *nb = w->neighbours;
+    qn_ledger *ledger = &w->ledger;
+    double speed = qn_walls_pose(&w->walls, qn_world_time(w)).speed;
+    int spent = 0, unsound = 0;
+    for (int e = 0; e < QN_LOSS_COUNT; e++) ledger->lost[e] += ledger->now[e];
+    for (int p = 0; p < ledger->part_count; p++) {
+        double impulse = ledger->torque_now[p] * w->dt;
+        ledger->impulse[p] += impulse;
+        if (w->walls.parts[p].turning) ledger->work[p] += impulse * speed;
+    }
+#pragma omp parallel for schedule(static, 1) num_threads(nb->share_count) reduction(| : spent, unsound)
+    for (int t = 0; t < nb->share_count; t++) {
+        bool lost;
+        spent |= move(w, nb->shares[t].first, nb->shares[t].last, &lost);
+        unsound |= lost;
+    }
+    nb->stale |= spent;
+    w->step++;
+    w->committed = false;
+    return unsound ? qn_guard_speed(w, QN_FAST * w->smallest_radius / w->dt) : QN_OK;
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/guards.h"
+#include "world/classes.h"
+#include "world/neighbours.h"
+
+#include <stdio.h>
+
+// The deepest overlap: of which particle, with what, at what distance.
+typedef struct culprit {
+    int index;
+    double share;  // 1   of the smaller radius
+    char partner[QN_NAME_MAX + 32];
+} culprit;
+
+static void look_at_pairs(const qn_world *w, const qn_share *share, culprit *worst)
+{
+    for (int i = share->first; i < share->last; i++)
+        for (int64_t k = share->row[i - share->first]; k < share->row[i - share->first + 1]; k++) {
+            bool lower;
+            const qn_place *p = &w->place[i], *q = &w->place[qn_partner(share, k, &lower)];
+            double x = p->x - q->x, y = p->y - q->y, z = p->z - q->z;
+            double a = w->classes[p->klass].radius, b = w->classes[q->klass].radius;
+            double deep = (a + b - sqrt(x * x + y * y + z * z)) / qn_min(a, b);
+            if (!(deep > worst->share)) continue;
+            worst->index = i, worst->share = deep;
+            snprintf(worst->partner, sizeof worst->partner, "particle %lld",
+                     (long long)w->id[q->home]);
+        }
+}
+
+static void look_at_walls(const qn_world *w, int i, culprit *worst)
+{
+    qn_wall_hit hits[32];
+    qn_pose pose = qn_walls_pose(&w->walls, qn_world_time(w));
+    const qn_place *p = &w->place[i];
+    qn_vec3 centre = qn_v3(p->x, p->y, p->z);
+    double radius = w->classes[p->klass].radius;
+    int count = qn_walls_touch(&w->walls, &pose, centre, radius, hits, 32);
+    for (int h = 0; h < count && h < 32; h++) {
+        double deep = 1 - qn_norm(qn_sub(centre, hits[h].point)) / radius;
+        if (!(deep > worst->share)) continue;
+        worst->index = i, worst->share = deep;
+        snprintf(worst->partner, sizeof worst->partner, "wall %s",
+                 w->walls.parts[hits[h].part].name);
+    }
+}
+
+qn_status qn_guard_overlap(qn_world *w)
+{
+    qn_ledger *ledger = &w->ledger;
+    const qn_neighbours *nb = w->neighbours;
+    if (ledger->deepest_now > ledger->deepest) {
+        ledger->deepest = ledger->deepest_now;
+        ledger->deepest_step = w->step;
+    }
+    if (ledger->deepest_now <= QN_OVERLAP_STOP) return QN_OK;
+    culprit worst = {0, 0, "something"};
+    for (int t = 0; t < nb->share_count; t++) look_at_pairs(w, &nb->shares[t], &worst);
+    for (int i = 0; i < w->count; i++) look_at_walls(w, i, &worst);
+    const qn_place *p = &w->place[worst.index];
+    return qn_fail(QN_UNSTABLE,
+                   "particle %lld overlaps %s by %.3g %% of its radius (allowed: %g %%), at "
+                   "(%g, %g, %g) m with speed %g m/s, at %g s (step %lld): the materials are too "
+                   "soft for such an impact, the time step (%g s) too long, or the particles were "
+                   "placed into each other",
+                   (long long)w->id[worst.index], worst.partner, 100 * worst.share,
+                   100 * QN_OVERLAP_STOP, p->x, p->y, p->z,
+                   qn_norm(w->motion[worst.index].velocity), qn_world_time(w), (long long)w->step,
+                   w->dt);
+}
+
+qn_status qn_guard_speed(const qn_world *w, double limit)
+{
+    int which = -1;
+    for (int i = 0; i < w->count; i++) {
+        double speed = qn_norm(w->motion[i].velocity);
+        if (!(speed <= limit) && (which < 0 || w->id[i] < w->id[which])) which = i;
+    }
+    if (which < 0) return QN_OK;
+    const qn_place *p = &w->place[which];
+    double speed = qn_norm(w->motion[which].velocity);
+    return qn_fail(QN_UNSTABLE,
+                   "particle %lld %s (%g m/s; a particle may move a fifth of the smallest radius in "
+                   "one step, %g m/s) at (%g, %g, %g) m, at %g s (step %lld): the time step (%g s) "
+                   "is too long or a contact has blown up",
+                   (long long)w->id[which],
+                   isfinite(speed) ? "is too fast" : "has a speed that is not a number", speed, limit,
+                   p->x, p->y, p->z, qn_world_time(w), (long long)w->step, w->dt);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looking at single contacts, for traces. Slow and plain: every pair of the list is looked at.
+#include "step/step.h"
+#include "world/neighbours.h"
+
+static void contact(qn_law law, const qn_pair *p, const qn_reach *g, const qn_touch *t, qn_reply *r)
+{
+    switch (law) {
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
+    case QN_LAW_##NAME: qn_contact_##NAME(p, g, t, r); break;
+        QN_LAWS(L)
+#undef L
+    case QN_LAW_COUNT: break;
+    }
+}
+
+// The contact of a (lower id) and b, places already known to touch. A history that has been moved on
+// by this step's forces is not moved on again: no time passes.
+static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *point)
+{
+    const qn_place *pa = &w->place[a], *pb = &w->place[b];
+    const qn_motion *ma = &w->motion[pa->home], *mb = &w->motion[pb->home];
+    int classes = pa->klass * w->class_count + pb->klass;
+    qn_pair pair = w->pairs[classes];
+    qn_touch t = {qn_v3(pa->x - pb->x, pa->y - pb->y, pa->z - pb->z),
+                  qn_sub(ma->velocity, mb->velocity),
+                  qn_sub(ma->kick, mb->kick),
+                  ma->spin,
+                  mb->spin,
+                  ma->spin_kick,
+                  mb->spin_kick,
+                  slip};
+    qn_reply r;
+    if (w->committed) pair.dt = 0;
+    contact(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
+    double arm = w->classes[pa->klass].radius - 0.5 * r.depth;
+    *point = qn_madd(qn_v3(pa->x, pa->y, pa->z), -arm, r.normal);
+    return r;
+}
+
+static void visit_pairs(const qn_world *w, int which, qn_contact_visit *visit, void *user)
+{
+    const qn_neighbours *nb = w->neighbours;
+    for (int s = 0; s < nb->share_count; s++) {
+        const qn_share *share = &nb->shares[s];
+        for (int64_t k = 0, i = share->first; k < share->pair_count; k++) {
+            while (k >= share->row[i - share->first + 1]) i++;
+            bool lower;
+            int j = qn_partner(share, k, &lower), mine = (int)i;
+            if (mine != which && w->place[j].home != which) continue;
+            const qn_place *p = &w->place[mine], *q = &w->place[j];
+            double x = p->x - q->x, y = p->y - q->y, z = p->z - q->z;
+            if (!(x * x + y * y + z * z < nb->touch2[p->klass * w->class_count + q->klass]))
+                continue;
+            qn_vec3 point;
+            qn_reply r = look(w, lower ? j : mine, lower ? mine : j, share->slip[k], &point);
+            int high = lower ? mine : w->place[j].home;
+            if (high == which) {
+                r.normal = qn_scale(-1, r.normal);  // as side b sees it
+                r.tangential = qn_scale(-1, r.tangential);
+            }
+            int other = mine == which ? w->place[j].home : mine;
+            visit(user, w->id[which], w->id[other], &r, point);
+        }
+    }
+}
+
+static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *visit, void *user)
+{
+    enum { ROOM = 32 };
+    qn_wall_hit hits[ROOM];
+    const qn_neighbours *nb = w->neighbours;
+    const qn_place *p = &w->place[which];
+    const qn_motion *m = &w->motion[which];
+    qn_pose pose = qn_walls_pose(&w->walls, qn_world_time(w));
+    qn_vec3 centre = qn_v3(p->x, p->y, p->z);
+    double radius = w->classes[p->klass].radius;
+    int count = qn_walls_touch(&w->walls, &pose, centre, radius, hits, ROOM);
+    const qn_share *share = nb->shares;
+    while (which >= share->last) share++;
+    const qn_wall_contact *list = w->committed ? share->walls : share->walls_next;
+    int listed = w->committed ? share->wall_count : share->wall_next_count;
+    for (int h = 0; h < count && h < ROOM; h++) {
+        double turn = hits[h].turning ? pose.speed : 0;
+        int kind = hits[h].surface * w->class_count + p->klass;
+        qn_pair pair = w->wall_pairs[kind];
+        qn_reach reach = {radius, radius, 0, 1, 0};
+        qn_vec3 wall = qn_v3(-turn * hits[h].point.y, turn * hits[h].point.x, 0);
+        qn_touch t = {qn_sub(centre, hits[h].point), qn_sub(m->velocity, wall), m->kick, m->spin,
+                      {0, 0, turn},  m->spin_kick, {0, 0, 0}, {0, 0, 0}};
+        qn_reply r;
+        for (int k = 0; k < listed; k++)
+            if (list[k].index == which && list[k].feature == hits[h].feature) t.slip = list[k].slip;
+        pair.dt = 0;
+        contact(w->wall_laws[kind], &pair, &reach, &t, &r);
+        visit(user, w->id[which], -1 - hits[h].part, &r, hits[h].point);
+    }
+    return QN_OK;
+}
+
+qn_status qn_step_visit(qn_world *w, int64_t id, qn_contact_visit *visit, void *user)
+{
+    int which = 0;
+    while (which < w->count && w->id[which] != id) which++;
+    if (which == w->count)
+        return qn_fail(QN_INPUT, "there is no particle %lld", (long long)id);
+    visit_pairs(w, which, visit, user);
+    return visit_walls(w, which, visit, user);
+}

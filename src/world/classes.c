@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/classes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+qn_status qn_classes_build(const qn_def *def, qn_class **classes, int *count)
+{
+    int total = 0;
+    for (int k = 0; k < def->group_count; k++) total += def->groups[k].size_count;
+    QN_TRY(QN_ALLOCATE(*classes, total));
+    *count = total;
+    qn_class *c = *classes;
+    for (int k = 0; k < def->group_count; k++)
+        for (int s = 0; s < def->groups[k].size_count; s++, c++) {
+            const qn_group_def *group = &def->groups[k];
+            double r = group->diameter[s] / 2;
+            c->group = k, c->size = s, c->material = group->material;
+            c->radius = r;
+            c->mass = 4.0 / 3 * QN_PI * r * r * r * def->materials[group->material].density;
+            c->inertia = 0.4 * c->mass * r * r;
+            c->inverse_mass = group->fixed ? 0 : 1 / c->mass;
+            c->inverse_inertia = group->fixed ? 0 : 1 / c->inertia;
+        }
+    return QN_OK;
+}
+
+// What both kinds of contact share.
+static qn_sides sides_begin(const qn_def *def, const qn_contact_def *contact, const qn_class *a,
+                            int other_material, double dt)
+{
+    const qn_material_def *m[2] = {&def->materials[a->material], &def->materials[other_material]};
+    qn_sides s = {.friction = contact->friction,
+                  .restitution = contact->restitution,
+                  .rolling_friction = contact->rolling_friction,
+                  .stiffness = contact->stiffness,
+                  .tangential_ratio = contact->tangential_ratio,
+                  .dt = dt,
+                  .clip = contact->clip};
+    for (int i = 0; i < 2; i++) {
+        s.young[i] = m[i]->youngs_modulus;
+        s.poisson[i] = m[i]->poisson_ratio;
+    }
+    s.radius[0] = a->radius, s.mass[0] = a->mass, s.fixed[0] = a->inverse_mass <= 0;
+    return s;
+}
+
+qn_sides qn_sides_of_classes(const qn_def *def, const qn_contact_def *contact, const qn_class *a,
+                             const qn_class *b, double dt)
+{
+    qn_sides s = sides_begin(def, contact, a, b->material, dt);
+    s.radius[1] = b->radius, s.mass[1] = b->mass, s.fixed[1] = b->inverse_mass <= 0;
+    return s;
+}
+
+qn_sides qn_sides_of_wall(const qn_def *def, const qn_contact_def *contact, const qn_class *a,
+                          const qn_surface *surface, double dt)
+{
+    qn_sides s = sides_begin(def, contact, a, surface->material, dt);
+    s.wall = true;
+    s.radius[1] = surface->radius, s.mass[1] = INFINITY, s.fixed[1] = true;
+    return s;
+}
+
+bool qn_def_is_wall(const qn_def *def, int material)
+{
+    const qn_drum_def *drum = &def->drum;
+    bool found = drum->present
+                 && (drum->material == material
+                     || (drum->ends != QN_ENDS_PERIODIC && drum->end_material == material));
+    for (int i = 0; i < def->plane_count; i++) found |= def->planes[i].material == material;
+    for (int i = 0; i < def->mesh_count; i++) found |= def->meshes[i].material == material;
+    return found;
+}
+
+static qn_status no_law(const qn_def *def, int a, int b)
+{
+    return qn_fail(QN_INPUT, "contacts: no law for %s against %s, which can touch; add a line %s-%s",
+                   def->materials[a].name, def->materials[b].name, def->materials[a].name,
+                   def->materials[b].name);
+}
+
+// Whether particles of two classes can meet: not where both are fixed, nor where there is but one.
+static bool can_meet(const qn_def *def, const qn_class *a, const qn_class *b)
+{
+    const qn_group_def *group = &def->groups[a->group];
+    bool alone = a == b && group->packing == QN_PACK_LIST && group->list_count < 2;
+    return !alone && (a->inverse_mass > 0 || b->inverse_mass > 0);
+}
+
+static qn_status pairs_of_classes(qn_world *w)
+{
+    int n = w->class_count;
+    for (int a = 0; a < n; a++)
+        for (int b = 0; b < n; b++) {
+            const qn_class *ca = &w->classes[a], *cb = &w->classes[b];
+            const qn_contact_def *contact = qn_def_contact(&w->def, ca->material, cb->material);
+            w->reaches[a * n + b] =
+                (qn_reach){ca->radius + cb->radius, ca->radius, cb->radius, 0.5, 0.5};
+            if (!can_meet(&w->def, ca, cb)) continue;
+            if (!contact) return no_law(&w->def, ca->material, cb->material);
+            qn_sides sides = qn_sides_of_classes(&w->def, contact, ca, cb, w->dt);
+            w->laws[a * n + b] = contact->law;
+            w->pairs[a * n + b] = qn_law_pair(contact->law, &sides);
+        }
+    return QN_OK;
+}
+
+static qn_status pairs_of_walls(qn_world *w)
+{
+    int n = w->class_count;
+    for (int k = 0; k < w->surface_count; k++)
+        for (int a = 0; a < n; a++) {
+            const qn_surface *surface = &w->walls.surfaces[k];
+            const qn_class *ca = &w->classes[a];
+            const qn_contact_def *contact =
+                qn_def_contact(&w->def, ca->material, surface->material);
+            if (!contact) return no_law(&w->def, ca->material, surface->material);
+            qn_sides sides = qn_sides_of_wall(&w->def, contact, ca, surface, w->dt);
+            w->wall_laws[k * n + a] = contact->law;
+            w->wall_pairs[k * n + a] = qn_law_pair(contact->law, &sides);
+        }
+    return QN_OK;
+}
+
+qn_status qn_pairs_build(qn_world *w)
+{
+    int pairs = w->class_count * w->class_count, touches = w->surface_count * w->class_count;
+    QN_TRY(QN_ALLOCATE(w->laws, pairs));
+    QN_TRY(QN_ALLOCATE(w->pairs, pairs));
+    QN_TRY(QN_ALLOCATE(w->reaches, pairs));
+    QN_TRY(QN_ALLOCATE(w->wall_laws, touches));
+    QN_TRY(QN_ALLOCATE(w->wall_pairs, touches));
+    QN_TRY(pairs_of_classes(w));
+    return pairs_of_walls(w);
+}
+
+// Elastic force and energy of one contact at the overlap where a run stops.
+static qn_normal at_the_guard(qn_law law, const qn_pair *p, double radius)
+{
+    double depth = QN_OVERLAP_STOP * radius;
+    switch (law) {
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
+    case QN_LAW_##NAME: return qn_##normal##_normal(p, depth, 0);
+        QN_LAWS(L)
+#undef L
+    case QN_LAW_COUNT: break;
+    }
+    return (qn_normal){0, 0, 0};
+}
+
+// The power of two just above x.
+static double power_above(double x)
+{
+    return ldexp(1, ilogb(x) + 1);
+}
+
+void qn_units_choose(qn_world *w, int64_t count)
+{
+    int n = w->class_count;
+    double energy = 0;  // J   of one contact at the guard
+    for (int a = 0; a < n; a++) {
+        qn_class *c = &w->classes[a];
+        double force = 0;  // N   likewise
+        for (int b = 0; b < n + w->surface_count; b++) {
+            bool wall = b >= n;
+            int k = wall ? (b - n) * n + a : a * n + b;
+            double radius = wall ? c->radius : qn_min(c->radius, w->classes[b].radius);
+            qn_normal f = at_the_guard(wall ? w->wall_laws[k] : w->laws[k],
+                                       wall ? &w->wall_pairs[k] : &w->pairs[k], radius);
+            force = qn_max(force, f.elastic);
+            energy = qn_max(energy, f.energy);
+        }
+        // A sum of 16 contacts at the guard stays below 2^62 quanta; one is then some 1e-10 of the
+        // weight of a glass ball, 1e-15 of a hard impact.
+        c->force_unit = power_above(force * 16 * 0x1p-62);
+        c->torque_unit = power_above(c->force_unit * c->radius);
+    }
+    // Sums stay below 2^52 quanta for 64 contacts at the guard, or a bed of overlaps near 5 %.
+    w->energy_unit = power_above(energy * (64 + 0.05 * (double)count) * 0x1p-52);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle surfaces with exact ownership of faces, edges and corners.
+//
+// A sphere touches at most one feature of a smooth stretch: the face over which its centre lies, or
+// an edge only from within that edge's Voronoi wedge, or a corner only from within its cone. A ball
+// rolling over the joint of two coplanar triangles therefore feels one wall, to rounding. Both sides
+// act and winding has no meaning; an edge may have any number of triangles. Triangles are found
+// through a grid over the mesh's own frame, built once.
+//
+// Source: Ericson (2005), Real-Time Collision Detection, 5.1.5 (Voronoi regions of a triangle).
+#ifndef QN_WORLD_MESH_H
+#define QN_WORLD_MESH_H
+
+#include "base/array.h"
+#include "physics/vec3.h"
+#include "world/def.h"
+
+/// A touch of a sphere and a mesh, in the mesh's frame.
+typedef struct qn_mesh_hit {
+    int32_t feature;  //    0 .. feature_count-1: faces first, then edges, then corners
+    qn_vec3 point;    // m  nearest point of the feature
+} qn_mesh_hit;
+
+/// An edge and the wedge from which it is felt.
+typedef struct qn_mesh_edge {
+    int a, b;          //    vertices, a < b
+    int owner;         //    lowest triangle at it: the one that reports it
+    int first, count;  //    of its wedge in qn_mesh.wedges
+    qn_vec3 along;     // 1  unit direction from a to b
+} qn_mesh_edge;
+
+typedef struct qn_mesh {
+    char name[QN_NAME_MAX];
+    int material;
+    bool turning;
+    int surface, part;      //    set by walls.c
+    int32_t first_feature;  //    set by walls.c: feature numbers of all walls are one range
+    int vertex_count, triangle_count, edge_count;
+    qn_vec3 *vertices;     // m  owned; coincident vertices welded
+    int *triangles;        //    3 x triangle_count, owned
+    qn_mesh_edge *edges;   //    owned
+    int *triangle_edges;   //    3 x triangle_count, owned; edge k runs from corner k to k + 1
+    qn_vec3 *normals;      // 1  of each triangle, owned
+    qn_vec3 *sides;        // 1  3 x triangle_count, owned: in the triangle's plane, out over edge k
+    qn_vec3 *wedges;       // 1  owned; the sides of the triangles at each edge
+    int *vertex_owner;     //    lowest triangle at each vertex, owned
+    int *fan_start, *fan;  //    edges at each vertex (CSR), owned
+    qn_vec3 low, high;     // m  bounding box
+    double reach;          // m  largest radius of a sphere that may ask
+    qn_vec3 origin;        // m  low corner of the grid, the box widened by the reach
+    double cell;           // m  side of a grid cell
+    int cells[3];
+    int *cell_start, *cell_items;  //  triangles near each cell (CSR), owned
+} qn_mesh;
+
+/// Number of features of a mesh: faces, edges and corners.
+static inline int32_t qn_mesh_feature_count(const qn_mesh *mesh)
+{
+    return mesh->triangle_count + mesh->edge_count + mesh->vertex_count;
+}
+
+/// Builds a mesh for spheres up to `reach` (m): welds coincident vertices, drops triangles without
+/// area, finds edges, flags coplanar joints, fills the grid. QN_INPUT names what is wrong (an index
+/// out of range, a coordinate that is not finite, no triangle at all).
+QN_NODISCARD qn_status qn_mesh_build(const qn_mesh_def *def, double reach, qn_mesh *mesh);
+
+void qn_mesh_free(qn_mesh *mesh);
+
+/// The features a sphere at `centre` with `radius` touches, in order of feature number; at most
+/// `room`. Returns how many there are, also when more than `room`.
+int qn_mesh_touch(const qn_mesh *mesh, qn_vec3 centre, double radius, qn_mesh_hit *hits, int room);
+
+/// Nearest point of triangle t, and where it lies.
+typedef struct qn_triangle_foot {
+    qn_vec3 point;  // m
+    int region;     //    0 the face, 1 + k edge k, 4 + k corner k
+} qn_triangle_foot;
+
+qn_triangle_foot qn_triangle_nearest(const qn_mesh *mesh, int t, qn_vec3 point);
+
+/// The grid cell of a point, or -1 off the grid.
+static inline int qn_mesh_cell(const qn_mesh *mesh, qn_vec3 point)
+{
+    double x = floor((point.x - mesh->origin.x) / mesh->cell);
+    double y = floor((point.y - mesh->origin.y) / mesh->cell);
+    double z = floor((point.z - mesh->origin.z) / mesh->cell);
+    if (!(x >= 0 && y >= 0 && z >= 0)) return -1;
+    if (!(x < mesh->cells[0] && y < mesh->cells[1] && z < mesh->cells[2])) return -1;
+    return ((int)z * mesh->cells[1] + (int)y) * mesh->cells[0] + (int)x;
+}
+
+/// Distance (m) from a point to the mesh if below `limit`, else `limit`. Cost: O(triangles) where
+/// `limit` is above the reach the mesh was built for.
+double qn_mesh_distance(const qn_mesh *mesh, qn_vec3 point, double limit);
+
+#endif

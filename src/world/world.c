@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/world.h"
+#include "world/classes.h"
+#include "world/neighbours.h"
+#include "world/pack.h"
+#include "world/timestep.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+// Rounds the periodic length to the lattice that positions along it live on, so that adding or taking
+// off a period is exact and a result does not depend on when a particle is wrapped.
+static void choose_lattice(qn_world *w)
+{
+    if (!w->def.drum.present || w->def.drum.ends != QN_ENDS_PERIODIC) return;
+    w->lattice = ldexp(1, ilogb(w->def.drum.length) + 1 - 50);
+    w->period = floor(w->def.drum.length / w->lattice + 0.5) * w->lattice;
+    w->def.drum.length = w->period;
+}
+
+static qn_status choose_step(qn_world *w)
+{
+    qn_timestep t = qn_timestep_of(&w->def, w->classes, w->class_count);
+    w->dt = w->def.step > 0 ? w->def.step : t.suggested;
+    if (!(w->dt > 0 && isfinite(w->dt)))
+        return qn_fail(QN_INPUT, "time.step: none can be derived, as nothing can move; give one");
+    if (w->dt > QN_RAYLEIGH_REFUSE * t.rayleigh)
+        return qn_fail(QN_INPUT,
+                       "time.step = %g s is %.2f of the Rayleigh time (%g s); allowed is up to %g",
+                       w->dt, w->dt / t.rayleigh, t.rayleigh, QN_RAYLEIGH_REFUSE);
+    return QN_OK;
+}
+
+static qn_status check_period(const qn_world *w)
+{
+    double least = 4 * w->largest_radius * 1.25;  // m   two reaches, the skin included
+    if (w->period > 0 && w->period < least)
+        return qn_fail(QN_INPUT,
+                       "drum.length = %g m is too short for periodic ends: a particle would meet "
+                       "its own image; at least %g m",
+                       w->period, least);
+    if (w->period > 0 && w->walls.mesh_count > 0)
+        return qn_fail(QN_INPUT, "walls: a mesh does not continue through periodic ends; use fixed "
+                                 "or turning ends");
+    return QN_OK;
+}
+
+static qn_status ledger_create(qn_world *w)
+{
+    w->ledger.part_count = w->walls.part_count;
+    QN_TRY(QN_ALLOCATE(w->ledger.work, w->walls.part_count));
+    QN_TRY(QN_ALLOCATE(w->ledger.impulse, w->walls.part_count));
+    return QN_ALLOCATE(w->ledger.torque_now, w->walls.part_count);
+}
+
+// Puts packed particles into the world's records.
+static qn_status settle_in(qn_world *w, const qn_seedling *seedlings, int count)
+{
+    w->room = count;
+    w->count = count;
+    QN_TRY(QN_ALLOCATE(w->place, count));
+    QN_TRY(QN_ALLOCATE(w->motion, count));
+    QN_TRY(QN_ALLOCATE(w->load, count));
+    QN_TRY(QN_ALLOCATE(w->id, count));
+    for (int i = 0; i < count; i++) {
+        const qn_seedling *s = &seedlings[i];
+        double z = s->position.z;
+        if (w->period > 0) z = floor(z / w->lattice + 0.5) * w->lattice;
+        w->place[i] = (qn_place){s->position.x, s->position.y, z, s->klass, i};
+        w->motion[i].velocity = s->velocity;
+        w->motion[i].spin = s->spin;
+        w->id[i] = i + 1;
+    }
+    return QN_OK;
+}
+
+static qn_status build(qn_world *w)
+{
+    qn_seedling *seedlings = NULL;
+    int count;
+    choose_lattice(w);
+    QN_TRY(qn_classes_build(&w->def, &w->classes, &w->class_count));
+    w->smallest_radius = INFINITY;
+    for (int i = 0; i < w->class_count; i++) {
+        w->largest_radius = qn_max(w->largest_radius, w->classes[i].radius);
+        w->smallest_radius = qn_min(w->smallest_radius, w->classes[i].radius);
+    }
+    QN_TRY(choose_step(w));
+    QN_TRY(qn_walls_build(&w->def, w->largest_radius, &w->walls));
+    w->surface_count = w->walls.surface_count;
+    QN_TRY(check_period(w));
+    QN_TRY(qn_pairs_build(w));
+    QN_TRY(ledger_create(w));
+    QN_TRY(qn_pack(&w->def, w->classes, &w->walls, &seedlings, &count));
+    qn_units_choose(w, count);
+    qn_status status = settle_in(w, seedlings, count);
+    free(seedlings);
+    QN_TRY(status);
+    return qn_neighbours_create(w);
+}
+
+qn_status qn_world_create(qn_def *def, int threads, qn_world **world)
+{
+    qn_world *w;
+    QN_TRY(QN_ALLOCATE(w, 1));
+    w->def = *def;
+    *def = qn_def_default();
+    w->gravity = w->def.gravity;
+    w->threads = threads > 0 ? threads : (int)sysconf(_SC_NPROCESSORS_ONLN);
+    qn_status status = build(w);
+    if (status != QN_OK) {
+        qn_world_destroy(w);
+        return status;
+    }
+    *world = w;
+    return QN_OK;
+}
+
+void qn_world_destroy(qn_world *w)
+{
+    if (!w) return;
+    qn_neighbours_destroy(w->neighbours);
+    qn_walls_free(&w->walls);
+    qn_def_free(&w->def);
+    free(w->classes);
+    free(w->laws);
+    free(w->pairs);
+    free(w->reaches);
+    free(w->wall_laws);
+    free(w->wall_pairs);
+    free(w->place);
+    free(w->motion);
+    free(w->load);
+    free(w->id);
+    free(w->ledger.work);
+    free(w->ledger.impulse);
+    free(w->ledger.torque_now);
+    free(w);
+}

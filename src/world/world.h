@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world: everything that exists in a simulation at one step.
+//
+// Particles are kept in three records of the size the inner loop wants, sorted along a space-filling
+// curve and re-sorted at every list rebuild: an index is good until the next step, an id for ever.
+// Bodies and spheres are one table while every body is a ball. Positions are those of step n;
+// velocities those of step n - 1/2 (leapfrog), with the half kick that predicts step n beside them.
+//
+// Forces are summed as integers, each particle class with its own quantum: the sum does not depend
+// on its order, hence not on threads, list or chunks, and a checkpoint needs no list.
+#ifndef QN_WORLD_WORLD_H
+#define QN_WORLD_WORLD_H
+
+#include "base/array.h"
+#include "physics/contact.h"
+#include "world/def.h"
+#include "world/ledger.h"
+#include "world/walls.h"
+
+/// Particles of one material and size.
+typedef struct qn_class {
+    int group, size;           //        in the definition
+    int material;
+    double radius, mass, inertia;      // m, kg, kg m2
+    double inverse_mass, inverse_inertia;  // 0 where fixed
+    double force_unit, torque_unit;    // N, N m   quantum of the integer sums, powers of two
+} qn_class;
+
+/// Where a particle is: what the distance check reads. 32 bytes.
+typedef struct qn_place {
+    double x, y, z;  // m
+    int32_t klass;   //     index of its class
+    int32_t home;    //     index of the particle itself; for a periodic image, of its original
+} qn_place;
+
+/// How a particle moves. 96 bytes.
+typedef struct qn_motion {
+    qn_vec3 velocity, spin;            // m/s, rad/s   at step n - 1/2
+    qn_vec3 kick, spin_kick;           // m/s, rad/s   a(n-1) dt/2: predicts step n
+} qn_motion;
+
+/// What acts on a particle, in quanta of its class.
+typedef struct qn_load {
+    int64_t force[3], torque[3];
+} qn_load;
+
+/// A touching pair as it is kept between list rebuilds and on file.
+typedef struct qn_contact {
+    int64_t low, high;  //    ids
+    qn_vec3 slip;       // m  acting on the low one
+} qn_contact;
+
+/// A particle touching a wall feature, as it is kept between steps and on file.
+typedef struct qn_wall_contact {
+    int64_t id;         //    of the particle
+    int32_t feature;    //    walls.h
+    int32_t index;      //    present index of the particle
+    qn_vec3 slip;       // m
+    qn_vec3 normal;     // 1  from the wall to the particle, at the last step
+} qn_wall_contact;
+
+typedef struct qn_neighbours qn_neighbours;  // world/neighbours.h
+
+typedef struct qn_world {
+    // Fixed for the run.
+    qn_def def;                //       owned copy of the small things; its arrays moved here
+    double dt;                 // s
+    qn_vec3 gravity;           // m/s2
+    double period;             // m     length of the periodic axis z; 0 for none
+    double lattice;            // m     positions along a periodic axis are multiples of lattice
+    int class_count, surface_count;
+    qn_class *classes;         //       owned
+    qn_law *laws;              //       owned; [class_a * class_count + class_b]
+    qn_pair *pairs;            //       owned; as laws
+    qn_reach *reaches;         //       owned; as laws
+    qn_law *wall_laws;         //       owned; [surface * class_count + class]
+    qn_pair *wall_pairs;       //       owned; as wall_laws
+    double energy_unit;        // J     quantum of the energy sums, a power of two
+    double largest_radius, smallest_radius;  // m
+    qn_walls walls;            //       owned
+
+    // The state at step `step`.
+    int64_t step;
+    int count;                 //       particles
+    int64_t room;              //       capacity of the arrays, images included
+    qn_place *place;           //       owned; count, then periodic images
+    qn_motion *motion;         //       owned
+    qn_load *load;             //       owned
+    int64_t *id;               //       owned; from 1, never reused
+    qn_ledger ledger;          //       owned; energies lost and work done since step 0
+    qn_neighbours *neighbours; //       owned; the pair list, with the contacts' history
+    int threads;
+    bool started;              //       velocities are half a step back (qn_step_begin)
+    bool committed;            //       this step's forces have moved the histories on
+} qn_world;
+
+/// Builds the world a definition describes: derives classes and pairs, packs the particles. Takes over the definition's arrays and leaves it empty.
+/// Returns QN_INPUT with a sentence where the definition can't be met; *world is then untouched.
+/// `threads`: 0 for as many as there are processors. Cost: O(particles).
+QN_NODISCARD qn_status qn_world_create(qn_def *def, int threads, qn_world **world);
+
+/// Releases everything; accepts NULL.
+void qn_world_destroy(qn_world *world);
+
+/// Time of the present step (s).
+static inline double qn_world_time(const qn_world *world)
+{
+    return (double)world->step * world->dt;
+}
+
+/// Centre of particle i (m), within the period along a periodic axis.
+static inline qn_vec3 qn_world_position(const qn_world *world, int i)
+{
+    const qn_place *p = &world->place[i];
+    double z = p->z;
+    if (world->period > 0) z -= floor(z / world->period) * world->period;
+    return qn_v3(p->x, p->y, z);
+}
+
+/// Acceleration (m/s2) and angular acceleration (rad/s2) of particle i at the present step; valid
+/// between qn_step_forces() and qn_step_advance().
+static inline qn_vec3 qn_acceleration(const qn_world *w, int i)
+{
+    const qn_class *c = &w->classes[w->place[i].klass];
+    const qn_load *f = &w->load[i];
+    double s = c->force_unit * c->inverse_mass;
+    qn_vec3 a = qn_v3(s * (double)f->force[0], s * (double)f->force[1], s * (double)f->force[2]);
+    return c->inverse_mass > 0 ? qn_add(a, w->gravity) : a;
+}
+
+static inline qn_vec3 qn_angular_acceleration(const qn_world *w, int i)
+{
+    const qn_class *c = &w->classes[w->place[i].klass];
+    const qn_load *f = &w->load[i];
+    double s = c->torque_unit * c->inverse_inertia;
+    return qn_v3(s * (double)f->torque[0], s * (double)f->torque[1], s * (double)f->torque[2]);
+}
+
+/// Velocity (m/s) and spin (rad/s) of particle i at the present step itself, from the half step
+/// before and the forces of now; valid between qn_step_forces() and qn_step_advance().
+static inline qn_vec3 qn_velocity_now(const qn_world *w, int i)
+{
+    return qn_madd(w->motion[i].velocity, 0.5 * w->dt, qn_acceleration(w, i));
+}
+
+static inline qn_vec3 qn_spin_now(const qn_world *w, int i)
+{
+    return qn_madd(w->motion[i].spin, 0.5 * w->dt, qn_angular_acceleration(w, i));
+}
+
+#endif
