@@ -34,7 +34,7 @@ typedef enum qn_law {
 /// The coefficients of a pair under a law. Host, once per pair of classes.
 static inline qn_pair qn_law_pair(qn_law law, const qn_sides *s)
 {
-    qn_pair p;
+    qn_pair p = {0};
     p.depth_scale = 1;
     switch (law) {
 #define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \

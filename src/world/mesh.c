@@ -212,18 +212,45 @@ int qn_mesh_touch(const qn_mesh *mesh, qn_vec3 centre, double radius, qn_mesh_hi
     return s.count;
 }
 
+/// Lowers the squared distance `best` to that of the triangles listed in one cell.
+static double nearest_in_cell(const qn_mesh *m, int cell, qn_vec3 point, double best)
+{
+    for (int k = m->cell_start[cell]; k < m->cell_start[cell + 1]; k++) {
+        qn_vec3 nearest = qn_triangle_nearest(m, m->cell_items[k], point).point;
+        best = qn_min(best, square_between(nearest, point));
+    }
+    return best;
+}
+
+static int clamped_cell(double offset, double cell, int cells)
+{
+    return (int)qn_max(0, qn_min(cells - 1, floor(offset / cell)));
+}
+
+/// Looks through boxes of cells around the point, one layer after the other, until no cell further
+/// out can hold anything nearer. A triangle is listed in every cell it passes through.
 double qn_mesh_distance(const qn_mesh *mesh, qn_vec3 point, double limit)
 {
+    qn_vec3 offset = qn_sub(point, mesh->origin);
+    const int *n = mesh->cells;
+    const int at[3] = {clamped_cell(offset.x, mesh->cell, n[0]),
+                       clamped_cell(offset.y, mesh->cell, n[1]),
+                       clamped_cell(offset.z, mesh->cell, n[2])};
+    int layers = n[0] > n[1] ? n[0] : n[1];
+    if (n[2] > layers) layers = n[2];
     double best = limit * limit;
-    int cell = qn_mesh_cell(mesh, point);
-    if (limit > mesh->reach) {
-        for (int t = 0; t < mesh->triangle_count; t++)
-            best = qn_min(best, square_between(qn_triangle_nearest(mesh, t, point).point, point));
-    } else if (cell >= 0) {
-        for (int k = mesh->cell_start[cell]; k < mesh->cell_start[cell + 1]; k++) {
-            qn_vec3 nearest = qn_triangle_nearest(mesh, mesh->cell_items[k], point).point;
-            best = qn_min(best, square_between(nearest, point));
-        }
+    for (int k = 0; k < layers; k++) {
+        double least = (k - 1) * mesh->cell;  // m   from the point to anything in this layer
+        if (k > 0 && least * least >= best) break;
+        for (int z = at[2] - k; z <= at[2] + k; z++)
+            for (int y = at[1] - k; y <= at[1] + k; y++) {
+                bool whole_row = abs(z - at[2]) == k || abs(y - at[1]) == k;
+                int stride = whole_row || k == 0 ? 1 : 2 * k;
+                if (z < 0 || y < 0 || z >= n[2] || y >= n[1]) continue;
+                for (int x = at[0] - k; x <= at[0] + k; x += stride)
+                    if (x >= 0 && x < n[0])
+                        best = nearest_in_cell(mesh, (z * n[1] + y) * n[0] + x, point, best);
+            }
     }
     return sqrt(best);
 }

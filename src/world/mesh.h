@@ -89,8 +89,7 @@ static inline int qn_mesh_cell(const qn_mesh *mesh, qn_vec3 point)
     return ((int)z * mesh->cells[1] + (int)y) * mesh->cells[0] + (int)x;
 }
 
-/// Distance (m) from a point to the mesh if below `limit`, else `limit`. Cost: O(triangles) where
-/// `limit` is above the reach the mesh was built for.
+/// Distance (m) from a point to the mesh if below `limit`, else `limit`. Cost: O(cells within it).
 double qn_mesh_distance(const qn_mesh *mesh, qn_vec3 point, double limit);
 
 #endif

@@ -284,7 +284,7 @@ static void choose_cells(qn_mesh *m)
             }
             visits += product;
         }
-        if (visits <= VISITS_MAX || total <= 1000) return;
+        if (visits <= VISITS_MAX || total <= 8) return;
     }
 }
 

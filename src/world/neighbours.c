@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define SKIN_SHARE 0.30  // 1   of the smallest radius: the automatic skin, by measurement (bench/)
+#define LEAST_SHARE 256  // 1   particles: fewer are not worth a thread
 
 qn_status qn_neighbours_create(qn_world *w)
 {
@@ -14,11 +15,11 @@ qn_status qn_neighbours_create(qn_world *w)
     QN_TRY(QN_ALLOCATE(nb, 1));
     w->neighbours = nb;
     QN_TRY(QN_ALLOCATE(nb->sorter, 1));
-    QN_TRY(QN_ALLOCATE(nb->shares, w->threads));
+    nb->share_count = w->threads < 1 + w->count / LEAST_SHARE ? w->threads : 1 + w->count / LEAST_SHARE;
+    QN_TRY(QN_ALLOCATE(nb->shares, nb->share_count));
     QN_TRY(QN_ALLOCATE(nb->anchor, w->count));
     QN_TRY(QN_ALLOCATE(nb->reach2, n * n));
     QN_TRY(QN_ALLOCATE(nb->touch2, n * n));
-    nb->share_count = w->threads;
     nb->skin = (w->def.skin > 0 ? w->def.skin : SKIN_SHARE) * w->smallest_radius;
     for (int k = 0; k < n * n; k++) {
         double touch = w->reaches[k].reach;

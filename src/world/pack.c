@@ -32,7 +32,7 @@ static int64_t wanted(const qn_def *def, const qn_group_def *group, const qn_wal
 }
 
 // The box that walls leave for packing: the drum's, or that of planes along the axes.
-static qn_status box_of(const qn_def *def, lattice *lat)
+static qn_status box_of(const qn_def *def, const qn_walls *walls, lattice *lat)
 {
     lat->low = qn_v3(-INFINITY, -INFINITY, -INFINITY);
     lat->high = qn_v3(INFINITY, INFINITY, INFINITY);
@@ -42,8 +42,8 @@ static qn_status box_of(const qn_def *def, lattice *lat)
         lat->high = qn_v3(r, r, def->drum.length);
         lat->periodic = def->drum.ends == QN_ENDS_PERIODIC;
     }
-    for (int i = 0; i < def->plane_count; i++) {
-        const qn_plane_def *p = &def->planes[i];
+    for (int i = 0; i < walls->plane_count; i++) {
+        const qn_plane_def *p = &walls->planes[i];
         if (p->normal.x == 1) lat->low.x = qn_max(lat->low.x, p->point.x);
         if (p->normal.y == 1) lat->low.y = qn_max(lat->low.y, p->point.y);
         if (p->normal.z == 1) lat->low.z = qn_max(lat->low.z, p->point.z);
@@ -229,7 +229,7 @@ static qn_status pack_all(const qn_def *def, const qn_class *classes, const qn_w
     QN_TRY(QN_ALLOCATE(*seedlings, total + listed));
     QN_TRY(place_lists(def, classes, walls, *seedlings, count));
     if (total == 0) return QN_OK;
-    QN_TRY(box_of(def, lat));
+    QN_TRY(box_of(def, walls, lat));
     QN_TRY(lat->cubic ? fill_cubic(lat) : fill_hcp(lat));
     keep_clear(lat, walls, classes, *seedlings, *count);
     if (lat->count < total)

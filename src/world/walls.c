@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { LIFTERS_MAX = 10000 };
+
 void qn_walls_free(qn_walls *walls)
 {
     qn_profile_free(&walls->profile);
@@ -131,6 +133,9 @@ static qn_status build_meshes(const qn_def *def, double reach, qn_walls *w)
 
 static qn_status build(const qn_def *def, double reach, qn_walls *w)
 {
+    if (def->drum.lifter_count < 0 || def->drum.lifter_count > LIFTERS_MAX)
+        return qn_fail(QN_INPUT, "drum '%s' has %d lifters; 0 to %d are allowed", def->drum.name,
+                       def->drum.lifter_count, LIFTERS_MAX);
     int64_t own = 5 + (def->drum.present ? (int64_t)def->drum.lifter_count : 0);
     int64_t most = own + def->plane_count + def->mesh_count;
     QN_TRY(QN_ALLOCATE(w->surfaces, most));

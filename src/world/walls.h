@@ -84,7 +84,8 @@ int qn_walls_touch(const qn_walls *walls, const qn_pose *pose, qn_vec3 centre, d
 /// Whether a centre is where no particle can be: outside the drum, or inside a lifter.
 bool qn_walls_outside(const qn_walls *walls, const qn_pose *pose, qn_vec3 centre);
 
-/// Clear distance (m) from `centre` to the nearest wall, negative outside; for packing.
+/// Clear distance (m) from `centre` to the nearest wall, negative outside; for packing. Meshes count
+/// where they are nearer than 12 largest radii.
 double qn_walls_clearance(const qn_walls *walls, const qn_pose *pose, qn_vec3 centre);
 
 /// Share of the circle of radius rho (m) about the drum's axis that lies in the open, 0 to 1: what is

@@ -5,6 +5,8 @@
 // for those a distance from the axis and a lookup in a grid must do.
 #include "world/walls.h"
 
+static const double FAR = 12;  // 1   in largest radii: how far around a point meshes are looked for
+
 enum { ROOM = 32 };  // most touches of a sphere with the profile or one mesh; further ones pass
 
 /// A point of the lab in the drum's own frame, and back.
@@ -141,8 +143,12 @@ double qn_walls_clearance(const qn_walls *walls, const qn_pose *pose, qn_vec3 ce
         const qn_plane_def *p = &walls->planes[i];
         clear = qn_min(clear, qn_dot(qn_sub(centre, p->point), p->normal));
     }
-    for (int i = 0; i < walls->mesh_count && clear > 0; i++)
-        clear = qn_mesh_distance(&walls->meshes[i], walls->meshes[i].turning ? c : centre, clear);
+    for (int i = 0; i < walls->mesh_count && clear > 0; i++) {
+        const qn_mesh *m = &walls->meshes[i];
+        double limit = qn_min(clear, FAR * m->reach);
+        double distance = qn_mesh_distance(m, m->turning ? c : centre, limit);
+        if (distance < limit) clear = distance;
+    }
     return clear;
 }
 

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// `quern check`: what a scene will do, before a single step is done.
+#include "cli/cli.h"
+
+#include "record/json.h"
+#include "scene/forecast.h"
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *text, *stiffness, *damping;
+} laws[] = {
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
+    {text, stiffness, damping},
+    QN_LAWS(L)
+#undef L
+};
+
+/// Name of a contact entry, in the order of the scene.
+static void name_pair(const qn_def *def, const qn_contact_def *c, char *name, size_t size)
+{
+    snprintf(name, size, "%s-%s", def->materials[c->material_a].name,
+             def->materials[c->material_b].name);
+}
+
+static double damping_ratio(const qn_forecast_pair *p)
+{
+    return qn_sides_damping_ratio(&p->sides);
+}
+
+static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
+{
+    char name[2 * QN_NAME_MAX];
+    name_pair(&w->def, c, name, sizeof name);
+    qn_forecast_pair p = qn_forecast_pair_of(w, c);
+    if (!p.is_used) return;
+    qn_json_open(j, name, '{');
+    qn_json_text(j, "law", laws[c->law].text);
+    qn_json_text(j, "between", p.is_wall ? "particle and wall" : "particles");
+    qn_json_number(j, "effective_young_pa", qn_effective_young(&p.sides));
+    qn_json_number(j, "effective_shear_pa", qn_effective_shear(&p.sides));
+    qn_json_number(j, "effective_radius_m", qn_effective_radius(&p.sides));
+    qn_json_number(j, "effective_mass_kg", qn_effective_mass(&p.sides));
+    qn_json_number(j, "normal_stiffness", p.pair.normal_stiffness);
+    qn_json_number(j, "normal_damping", p.pair.normal_damping);
+    qn_json_number(j, "tangential_stiffness", p.pair.tangential_stiffness);
+    qn_json_number(j, "tangential_damping", p.pair.tangential_damping);
+    qn_json_text(j, "normal_stiffness_unit", laws[c->law].stiffness);
+    qn_json_text(j, "normal_damping_unit", laws[c->law].damping);
+    qn_json_number(j, "friction", c->friction);
+    qn_json_number(j, "restitution", c->restitution);
+    qn_json_number(j, "rolling_friction", c->rolling_friction);
+    qn_json_number(j, "damping_ratio", damping_ratio(&p));
+    qn_json_close(j);
+}
+
+static qn_status print_json(const qn_world *w, const qn_forecast *f)
+{
+    qn_json j;
+    qn_json_begin(&j);
+    qn_json_text(&j, "title", w->def.title);
+    qn_json_integer(&j, "particles", f->particles);
+    qn_json_number(&j, "mass_kg", f->mass);
+    qn_json_number(&j, "filling", f->filling);
+    qn_json_number(&j, "critical_speed_rad_s", f->critical_speed);
+    qn_json_number(&j, "speed_rad_s", f->speed);
+    qn_json_number(&j, "revolutions", f->revolutions);
+    qn_json_number(&j, "dt_s", f->dt);
+    qn_json_number(&j, "rayleigh_time_s", f->timestep.rayleigh);
+    qn_json_number(&j, "rayleigh_fraction", f->dt / f->timestep.rayleigh);
+    qn_json_number(&j, "impact_speed_m_s", f->timestep.impact_speed);
+    qn_json_number(&j, "contact_time_s", f->timestep.contact);
+    qn_json_number(&j, "steps_per_contact", f->timestep.contact / f->dt);
+    qn_json_number(&j, "max_overlap_over_radius", f->timestep.largest_overlap);
+    qn_json_number(&j, "time_s", f->end);
+    qn_json_integer(&j, "steps", f->steps);
+    qn_json_integer(&j, "threads", w->threads);
+    qn_json_number(&j, "wall_s", f->wall_time);
+    qn_json_number(&j, "memory_bytes", f->memory);
+    qn_json_number(&j, "disk_bytes", f->disk);
+    qn_json_text(&j, "output_directory", w->def.output.directory);
+    qn_json_open(&j, "pairs", '{');
+    for (int i = 0; i < w->def.contact_count; i++) put_pair(&j, w, &w->def.contacts[i]);
+    char *text;
+    QN_TRY(qn_json_end(&j, &text));
+    printf("%s\n", text);
+    free(text);
+    return QN_OK;
+}
+
+static void print_pairs(const qn_world *w)
+{
+    printf("\ncontacts             law             E* [Pa]   R* [m]    m* [kg]   mu     e      "
+           "zeta\n");
+    for (int i = 0; i < w->def.contact_count; i++) {
+        const qn_contact_def *c = &w->def.contacts[i];
+        qn_forecast_pair p = qn_forecast_pair_of(w, c);
+        char name[2 * QN_NAME_MAX];
+        name_pair(&w->def, c, name, sizeof name);
+        if (!p.is_used) {
+            printf("  %-18s never touch\n", name);
+            continue;
+        }
+        printf("  %-18s %-14s  %-9.4g %-9.4g %-9.4g %-6.4g %-6.4g %.4g\n", name, laws[c->law].text,
+               qn_effective_young(&p.sides), qn_effective_radius(&p.sides),
+               qn_effective_mass(&p.sides), c->friction, c->restitution, damping_ratio(&p));
+        printf("  %-18s normal %.8g %s, %.8g %s\n", p.is_wall ? "  (with a wall)" : "",
+               p.pair.normal_stiffness, laws[c->law].stiffness, p.pair.normal_damping,
+               laws[c->law].damping);
+        printf("  %-18s tangential %.8g, %.8g; rolling friction %.4g\n", "",
+               p.pair.tangential_stiffness, p.pair.tangential_damping, c->rolling_friction);
+    }
+}
+
+static void print_time(const char *what, double seconds)
+{
+    if (seconds < 120)
+        printf("%-20s about %.2g s\n", what, seconds);
+    else if (seconds < 7200)
+        printf("%-20s about %.0f min\n", what, seconds / 60);
+    else
+        printf("%-20s about %.1f h\n", what, seconds / 3600);
+}
+
+static void print_report(const qn_world *w, const qn_forecast *f)
+{
+    if (*w->def.title) printf("%s\n\n", w->def.title);
+    printf("%-20s %lld, %.6g kg\n", "particles", (long long)f->particles, f->mass);
+    if (w->def.drum.present) {
+        double percent = f->critical_speed > 0 ? 100 * f->speed / f->critical_speed : 0;
+        printf("%-20s %.1f %% of the drum, as a bed of solidity %.2f\n", "filling",
+               100 * f->filling, w->def.bed_solidity);
+        printf("%-20s %.6g rad/s (%.4g rpm)\n", "critical speed", f->critical_speed,
+               f->critical_speed * 30 / QN_PI);
+        printf("%-20s %.6g rad/s (%.4g rpm), %.4g %%critical\n", "speed", f->speed,
+               f->speed * 30 / QN_PI, percent);
+    }
+    printf("%-20s %.6g s\n", "Rayleigh time", f->timestep.rayleigh);
+    printf("%-20s %.6g s at an impact of %.3g m/s, overlap %.2g %% of the radius\n", "contact time",
+           f->timestep.contact, f->timestep.impact_speed, 100 * f->timestep.largest_overlap);
+    printf("%-20s %.6g s: %.3g of the Rayleigh time, %.3g steps in a contact\n", "time step", f->dt,
+           f->dt / f->timestep.rayleigh, f->timestep.contact / f->dt);
+    printf("%-20s %.6g s, %lld steps", "run", f->end, (long long)f->steps);
+    if (w->def.drum.present) printf(", %.4g turns of the drum", f->revolutions);
+    printf("\n");
+    print_time("wall time", f->wall_time);
+    printf("%-20s about %.3g MB\n%-20s about %.3g MB in %s\n", "memory", f->memory / 1e6, "disk",
+           f->disk / 1e6, w->def.output.directory);
+    print_pairs(w);
+}
+
+/// What is allowed but hardly meant.
+static void print_warnings(const qn_world *w, const qn_forecast *f)
+{
+    double fraction = f->dt / f->timestep.rayleigh;
+    if (fraction > QN_RAYLEIGH_WARN)
+        fprintf(
+            stderr,
+            "warning: the time step is %.2f of the Rayleigh time; up to %.1f is usual, above %.0f "
+            "is refused\n",
+            fraction, QN_RAYLEIGH_WARN, QN_RAYLEIGH_REFUSE);
+    if (!isfinite(f->end))
+        fprintf(stderr, "warning: the drum never makes the turns that time.end asks for\n");
+    const qn_measure_def *m = &w->def.measure;
+    if (m->grid_count > 0 && !(qn_forecast_seconds(w, m->fields_start) < f->end))
+        fprintf(stderr, "warning: measure.fields starts after the end of the run\n");
+}
+
+static qn_status check(const char *path, bool as_json)
+{
+    qn_def def;
+    qn_messages messages = {0};
+    qn_status status = qn_scene_read(path, &def, &messages);
+    if (messages.text) fputs(messages.text, stderr);
+    qn_messages_free(&messages);
+    if (status != QN_OK) return status;
+    qn_world *w;
+    qn_timestep timestep;
+    status = qn_forecast_timestep(&def, &timestep);
+    if (status == QN_OK) status = qn_world_create(&def, 0, &w);
+    qn_def_free(&def);
+    if (status != QN_OK) {
+        fprintf(stderr, "%s: error: %s\n", path, qn_error());
+        return status;
+    }
+    qn_forecast f = qn_forecast_of(w, &timestep);
+    if (as_json)
+        status = print_json(w, &f);
+    else
+        print_report(w, &f);
+    print_warnings(w, &f);
+    qn_world_destroy(w);
+    return status;
+}
+
+int cli_check(int argc, char **argv)
+{
+    const char *path = NULL;
+    bool as_json = false;
+    for (int i = 1; i < argc; i++) {
+        if (!strcmp(argv[i], "--json"))
+            as_json = true;
+        else if (*argv[i] == '-' || path) {
+            fprintf(stderr, "quern check: '%s' is not expected here\n", argv[i]);
+            cli_usage("check", true);
+            return qn_status_exit(QN_INPUT);
+        } else
+            path = argv[i];
+    }
+    if (!path) {
+        cli_usage("check", true);
+        return qn_status_exit(QN_INPUT);
+    }
+    return qn_status_exit(check(path, as_json));
+}

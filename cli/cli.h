@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands of the program. Each gets its own name as argv[0], prints what it has to say, and
+// returns the exit code.
+#ifndef QN_CLI_CLI_H
+#define QN_CLI_CLI_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+
+int cli_run(int argc, char **argv);
+int cli_check(int argc, char **argv);
+int cli_new(int argc, char **argv);
+int cli_plot(int argc, char **argv);
+int cli_info(int argc, char **argv);
+int cli_help(int argc, char **argv);
+
+/// Draws the pictures of a run folder at the end of a run; the exit code of the script.
+int cli_plot_run(const char *folder);
+
+/// Prints the help of a command (or of all, for NULL or an unknown one) to stdout or stderr.
+void cli_usage(const char *command, bool is_error);
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// `quern help`: what the commands do, and the reference of scenes.
+#include "cli/cli.h"
+
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// clang-format off
+//    name     arguments                          in one line
+#define COMMANDS(C)                                                                                          \
+    C("new",   "[mill|drop]",                     "print a commented scene that runs",                       \
+      "  quern new mill > my-mill.yaml\n")                                                                   \
+    C("check", "SCENE [--json]",                  "say what a scene will do, before a single step",          \
+      "  --json   the same numbers as JSON\n\n"                                                              \
+      "Derived numbers, time step, coefficients of each pair, and estimates of wall time, memory and disk.\n" \
+      "What is wrong with the scene comes with line and column; the exit code is then 2.\n")                 \
+    C("run",   "SCENE [-o DIR] [--threads N] [--until SPAN] [--steps N] [--resume] [--force] [--quiet]",     \
+                                                  "run a scene into a folder",                               \
+      "  -o DIR        run folder, instead of the scene's own\n"                                             \
+      "  --threads N   as many threads; all processors if not given\n"                                       \
+      "  --until SPAN  end of the run, from its start, such as '2 s' or '3 rev'\n"                           \
+      "  --steps N     the same in time steps\n"                                                             \
+      "  --resume      go on from the last checkpoint in the folder\n"                                       \
+      "  --force       replace what is in the folder\n"                                                      \
+      "  --quiet       no progress line\n\n"                                                                 \
+      "Ctrl-C finishes the step and writes a checkpoint. A finished run can be resumed for longer.\n")       \
+    C("plot",  "DIR",                             "draw pictures from the recordings of a run",              \
+      "Pictures come to DIR/pictures.\n")                                                                    \
+    C("info",  "DIR|FILE",                        "say what is in a run folder, checkpoint, frame or mesh",   \
+      "")                                                                                                    \
+    C("help",  "[COMMAND|scene [--markdown]]",    "explain a command, or every key of a scene",              \
+      "")
+// clang-format on
+
+static const struct {
+    const char *name, *arguments, *line, *more;
+} commands[] = {
+#define C(name, arguments, line, more) {name, arguments, line, more},
+    COMMANDS(C)
+#undef C
+};
+
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
+
+void cli_usage(const char *command, bool is_error)
+{
+    FILE *out = is_error ? stderr : stdout;
+    for (int i = 0; command && i < COMMAND_COUNT; i++)
+        if (!strcmp(commands[i].name, command)) {
+            fprintf(out, "usage: quern %s %s\n", commands[i].name, commands[i].arguments);
+            if (!is_error) fprintf(out, "\n%s.\n\n%s", commands[i].line, commands[i].more);
+            return;
+        }
+    fprintf(out, "Quern " QN_VERSION ", a simulator of tumbling mills\n\n");
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        fprintf(out, "  quern %-6s %s\n", commands[i].name, commands[i].line);
+    fprintf(out,
+            "\n'quern help COMMAND' says more; 'quern help scene' lists every key of a scene.\n");
+}
+
+static int print_reference(bool markdown)
+{
+    char *text;
+    qn_status status = qn_scene_reference(markdown, &text);
+    if (status != QN_OK) {
+        fprintf(stderr, "quern help: %s\n", qn_error());
+        return qn_status_exit(status);
+    }
+    fputs(text, stdout);
+    free(text);
+    return qn_status_exit(QN_OK);
+}
+
+int cli_help(int argc, char **argv)
+{
+    const char *topic = argc > 1 ? argv[1] : NULL;
+    if (topic && !strcmp(topic, "scene"))
+        return print_reference(argc > 2 && !strcmp(argv[2], "--markdown"));
+    char nearest[64], names[256] = "scene";
+    for (int i = 0; i < COMMAND_COUNT; i++) {
+        size_t used = strlen(names);
+        snprintf(names + used, sizeof names - used, " %s", commands[i].name);
+    }
+    bool known = !topic;
+    for (int i = 0; i < COMMAND_COUNT && !known; i++) known = !strcmp(commands[i].name, topic);
+    if (!known && qn_nearest_word(topic, names, nearest, sizeof nearest))
+        fprintf(stderr, "quern help: there is no '%s'; did you mean '%s'?\n", topic, nearest);
+    cli_usage(topic, !known);
+    return known ? qn_status_exit(QN_OK) : qn_status_exit(QN_INPUT);
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// `quern`: picks the command.
+#include "cli/cli.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct {
+    const char *name;
+    int (*command)(int argc, char **argv);
+} commands[] = {
+    {"new", cli_new},   {"check", cli_check}, {"run", cli_run},
+    {"plot", cli_plot}, {"info", cli_info},   {"help", cli_help},
+};
+
+int main(int argc, char **argv)
+{
+    const char *name = argc > 1 ? argv[1] : "help";
+    if (!strcmp(name, "--version") || !strcmp(name, "-V")) {
+        printf("quern " QN_VERSION "\n");
+        return 0;
+    }
+    if (!strcmp(name, "--help") || !strcmp(name, "-h")) name = "help";
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        if (strcmp(commands[i].name, name)) continue;
+        bool asks = argc > 2 && (!strcmp(argv[2], "--help") || !strcmp(argv[2], "-h"));
+        if (asks) return cli_usage(name, false), 0;
+        return argc > 1 ? commands[i].command(argc - 1, argv + 1) : cli_help(1, argv);
+    }
+    fprintf(stderr, "quern: there is no command '%s'\n", name);
+    cli_usage(NULL, true);
+    return qn_status_exit(QN_INPUT);
+}

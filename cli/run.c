@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// `quern run`: a scene into a run folder, from its start or from where it was left.
+#include "cli/cli.h"
+#include "cli/progress.h"
+#include "measure/measure.h"
+#include "record/recorder.h"
+#include "scene/scene.h"
+#include "scene/units.h"
+#include "step/step.h"
+#include "world/classes.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct options {
+    const char *scene, *folder;
+    int threads;
+    bool has_end, quiet, pictures;
+    qn_span end;
+    qn_run_mode mode;
+} options;
+
+// A run while it lasts; everything owned.
+typedef struct run {
+    qn_def def;
+    char *text, *resolved;
+    qn_world *world;
+    qn_measure measure;
+    qn_recorder recorder;
+    progress progress;
+    bool warned;  // of a large overlap
+    bool pictures;
+} run;
+
+static volatile sig_atomic_t stop_asked;
+
+static void ask_to_stop(int signal)
+{
+    stop_asked = signal;
+}
+
+static bool parse_span(const char *text, qn_span *span)
+{
+    char *rest;
+    span->value = strtod(text, &rest);
+    while (*rest == ' ') rest++;
+    const qn_unit *unit = qn_unit_find(rest, strlen(rest));
+    if (rest == text || !unit || !(span->value >= 0) || !(span->value < 1e15)) return false;
+    span->value = span->value * unit->times / unit->over;
+    span->unit = unit->dimension == QN_DIMENSION_STEPS         ? QN_STEPS
+                 : unit->dimension == QN_DIMENSION_REVOLUTIONS ? QN_REVOLUTIONS
+                                                               : QN_SECONDS;
+    return unit->dimension == QN_DIMENSION_TIME || span->unit != QN_SECONDS;
+}
+
+static qn_status bad(const char *option, const char *value, const char *allowed)
+{
+    return qn_fail(QN_INPUT, "%s '%s' is not %s", option, value, allowed);
+}
+
+static bool parse_whole(const char *text, int64_t low, int64_t high, int64_t *value)
+{
+    char *rest;
+    errno = 0;
+    *value = strtoll(text, &rest, 10);
+    return rest != text && !*rest && !errno && *value >= low && *value <= high;
+}
+
+static qn_status parse(int argc, char **argv, options *o)
+{
+    static const struct option table[] = {
+        {"output", required_argument, 0, 'o'},  {"threads", required_argument, 0, 't'},
+        {"until", required_argument, 0, 'u'},   {"steps", required_argument, 0, 's'},
+        {"resume", no_argument, 0, 'r'},        {"force", no_argument, 0, 'f'},
+        {"quiet", no_argument, 0, 'q'},         {"no-pictures", no_argument, 0, 'n'},
+        {0, 0, 0, 0},
+    };
+    int64_t number;
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, "o:", table, NULL)) != -1;) switch (c) {
+        case 'o': o->folder = optarg; break;
+        case 't':
+            if (!parse_whole(optarg, 1, 1024, &number))
+                return bad("--threads", optarg, "a whole number from 1 to 1024");
+            o->threads = (int)number;
+            break;
+        case 'u':
+            if (!parse_span(optarg, &o->end))
+                return bad("--until", optarg, "a span such as '2 s', '3 rev' or '500 steps'");
+            o->has_end = true;
+            break;
+        case 's':
+            if (!parse_whole(optarg, 0, (int64_t)1e15, &number))
+                return bad("--steps", optarg, "a whole number from 0 on");
+            o->end = (qn_span){(double)number, QN_STEPS};
+            o->has_end = true;
+            break;
+        case 'r': o->mode = QN_RESUME; break;
+        case 'f': o->mode = QN_FORCE; break;
+        case 'q': o->quiet = true; break;
+        case 'n': o->pictures = false; break;
+        default: return qn_fail(QN_INPUT, "what is '%s'?", argv[optind - 1]);
+        }
+    if (optind + 1 != argc) return qn_fail(QN_INPUT, "give one scene");
+    o->scene = argv[optind];
+    return QN_OK;
+}
+
+static qn_status read_text(const char *path, char **text)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) return qn_fail(QN_IO, "%s: %s", path, strerror(errno));
+    fseek(file, 0, SEEK_END);
+    long size = ftell(file);
+    rewind(file);
+    *text = calloc(1, (size_t)(size > 0 ? size : 0) + 1);
+    bool whole = *text && fread(*text, 1, (size_t)size, file) == (size_t)size;
+    fclose(file);
+    return whole ? QN_OK : qn_fail(QN_IO, "%s could not be read", path);
+}
+
+// Scene, world and measures; nothing is written.
+static qn_status prepare(run *r, const options *o)
+{
+    qn_messages messages = {0};
+    qn_status status = qn_scene_read(o->scene, &r->def, &messages);
+    if (messages.text) fputs(messages.text, stderr);
+    bool told = messages.errors > 0;
+    qn_messages_free(&messages);
+    if (status != QN_OK) return told ? qn_fail(status, "nothing was started or written") : status;
+    QN_TRY(read_text(o->scene, &r->text));
+    if (o->has_end) r->def.end = o->end;
+    QN_TRY(qn_scene_resolved(&r->def, &r->resolved));
+    QN_TRY(qn_world_create(&r->def, o->threads, &r->world));
+    r->pictures = o->pictures && r->world->def.output.pictures;
+    return qn_measure_create(r->world, &r->measure);
+}
+
+static void warn_of_overlap(run *r)
+{
+    const qn_ledger *l = &r->world->ledger;
+    if (r->warned || l->deepest <= QN_OVERLAP_WARN) return;
+    r->warned = true;
+    const char *line = "an overlap of %.1f %% of the radius at %.4g s: the materials are soft for such "
+                       "impacts (usual is below %g %%)";
+    double time = (double)l->deepest_step * r->world->dt;
+    progress_break(&r->progress);
+    fputs("warning: ", stderr);
+    fprintf(stderr, line, 100 * l->deepest, time, 100 * QN_OVERLAP_WARN);
+    fputc('\n', stderr);
+    qn_recorder_log(&r->recorder, line, 100 * l->deepest, time, 100 * QN_OVERLAP_WARN);
+}
+
+static qn_status one_step(run *r)
+{
+    QN_TRY(qn_step_forces(r->world, QN_COMMIT));
+    QN_TRY(qn_measure_sample(&r->measure, r->world));
+    QN_TRY(qn_recorder_sample(&r->recorder, r->world, &r->measure));
+    QN_TRY(qn_step_advance(r->world));
+    warn_of_overlap(r);
+    if (qn_recorder_checkpoint_due(&r->recorder, r->world))
+        QN_TRY(qn_recorder_checkpoint(&r->recorder, r->world, &r->measure));
+    return QN_OK;
+}
+
+// Steps until the end, a signal or trouble; what was recorded is whole in each case.
+static qn_status go(run *r, int64_t end)
+{
+    qn_status status = QN_OK;
+    r->progress.end_step = end;
+    while (r->world->step < end && !stop_asked && status == QN_OK) {
+        status = one_step(r);
+        progress_show(&r->progress, r->world);
+    }
+    if (status == QN_UNSTABLE) {
+        char sentence[2048];
+        snprintf(sentence, sizeof sentence, "%s", qn_error());
+        if (qn_recorder_fail(&r->recorder, r->world, &r->measure) != QN_OK)
+            fprintf(stderr, "quern run: the failed state could not be kept: %s\n", qn_error());
+        return qn_fail(QN_UNSTABLE, "%s. The state is in %s/failed_%012lld.h5, the last good "
+                       "checkpoint is kept", sentence, r->recorder.folder.path,
+                       (long long)r->world->step);
+    }
+    QN_TRY(status);
+    QN_TRY(qn_recorder_finish(&r->recorder, r->world, &r->measure, r->world->step >= end));
+    if (r->world->step >= end) return QN_OK;
+    progress_break(&r->progress);
+    return qn_fail(QN_INTERRUPTED, "stopped at %g s (step %lld) with a checkpoint; go on with "
+                   "--resume", qn_world_time(r->world), (long long)r->world->step);
+}
+
+static qn_status record(run *r, const options *o)
+{
+    const char *folder = o->folder ? o->folder : r->world->def.output.directory;
+    int64_t end = qn_span_steps(r->world, r->world->def.end);
+    if (end == INT64_MAX)
+        return qn_fail(QN_INPUT, "the end of the run never comes: the drum does not turn so far");
+    QN_TRY(qn_step_begin(r->world));
+    QN_TRY(qn_recorder_open(&r->recorder, folder, o->mode, r->text, r->resolved, r->world,
+                            &r->measure));
+    if (r->recorder.note[0]) fprintf(stderr, "%s\n", r->recorder.note);
+    if (r->world->step > end)
+        return qn_fail(QN_INPUT, "the run in %s is at step %lld already, past the end asked for (%lld)",
+                       folder, (long long)r->world->step, (long long)end);
+    if (!o->quiet)
+        fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,
+                r->world->count, (long long)end, r->world->dt, r->world->threads, folder);
+    r->progress = progress_begin(r->world, end, o->quiet);
+    return go(r, end);
+}
+
+int cli_run(int argc, char **argv)
+{
+    run r = {.def = qn_def_default()};
+    options o = {.mode = QN_NEW, .pictures = true};
+    qn_status status = parse(argc, argv, &o);
+    if (status != QN_OK) {
+        fprintf(stderr, "quern run: %s\n", qn_error());
+        cli_usage("run", true);
+        return qn_status_exit(status);
+    }
+    struct sigaction action = {.sa_handler = ask_to_stop, .sa_flags = (int)SA_RESETHAND};
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    status = prepare(&r, &o);
+    if (status == QN_OK) status = record(&r, &o);
+    if (status != QN_OK) fprintf(stderr, "quern run: %s\n", qn_error());
+    char folder[QN_FILE_NAME_MAX];
+    snprintf(folder, sizeof folder, "%s", r.recorder.folder.path);
+    qn_recorder_close(&r.recorder);
+    qn_measure_free(&r.measure);
+    qn_world_destroy(r.world);
+    qn_def_free(&r.def);
+    free(r.text);
+    free(r.resolved);
+    if (status == QN_OK && r.pictures) cli_plot_run(folder);
+    return qn_status_exit(status);
+}

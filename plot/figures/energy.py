@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the energy is and where it went, and what the balance leaves open."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+from figures.folder import NotRecorded
+from figures.ledger import LOST, STORED, Ledger
+from figures.style import BLACK, LINES, PAGE
+
+
+def energy(run, gallery):
+    ledger = Ledger(run.series)
+    stored, lost = ledger.channels(STORED), ledger.channels(LOST)
+    if not stored and not lost:
+        raise NotRecorded("series.csv holds no energy")
+    if len(ledger.time) < 2:
+        raise NotRecorded("series.csv holds a single row")
+    figure, (top, middle, bottom) = plt.subplots(
+        3, 1, figsize=(0.75 * PAGE, 0.95 * PAGE), sharex=True, constrained_layout=True,
+        gridspec_kw={"height_ratios": (3, 3, 1.6)})
+    draw_stored(top, ledger, stored)
+    draw_lost(middle, ledger, lost)
+    draw_residual(bottom, ledger)
+    bottom.set_xlabel("time $t$ (s)")
+    bottom.set_xlim(ledger.time[0], ledger.time[-1])
+    for axes in (top, middle):
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    figure.align_ylabels()
+    gallery.save(figure, "energy")
+
+
+def draw_stored(axes, ledger, channels):
+    """Stored energies; gravity as its change, since its zero is a matter of choice."""
+    shown = [(label, values) if name != "gravity" else ("gravity, change", values - values[0])
+             for name, label, values in channels]
+    factor, unit = unit_for(*(values for _, values in shown))
+    for (label, values), colour in zip(shown, LINES):
+        axes.plot(ledger.time, factor * values, color=colour, lw=0.8, label=label)
+    axes.set_ylabel(f"stored ({unit})")
+
+
+def draw_lost(axes, ledger, channels):
+    work, losses = ledger.work(), ledger.losses()
+    factor, unit = unit_for(work, losses)
+    if work is not None:
+        axes.plot(ledger.time, factor * work, color=BLACK, lw=1.2, label="work of the walls")
+    if losses is not None:
+        axes.plot(ledger.time, factor * losses, color=BLACK, lw=0.9, ls=(0, (4, 2)),
+                  label="all losses")
+    for (_, label, values), colour in zip(channels, LINES):
+        axes.plot(ledger.time, factor * values, color=colour, lw=0.8, label=label)
+    axes.set_ylabel(f"since the start ({unit})")
+
+
+def draw_residual(axes, ledger):
+    residual = ledger.residual()
+    if residual is None:
+        axes.text(0.5, 0.5, "no residual_j in series.csv", ha="center", va="center",
+                  transform=axes.transAxes)
+        axes.set_yticks([])
+        return
+    axes.axhline(0, color="0.6", lw=0.5)
+    factor, unit = unit_for(residual)
+    axes.plot(ledger.time, factor * residual, color=LINES[0], lw=0.8)
+    axes.set_ylabel(f"residual ({unit})")
+    turnover = ledger.turnover()
+    if turnover > 0:
+        axes.set_title(f"residual at the end: {abs(residual[-1]) / turnover:.1e} of the turnover",
+                       loc="right", fontsize=7, pad=2)
+
+
+def unit_for(*channels):
+    """A factor and the unit it leads to from joules, for numbers a person can read on an axis."""
+    largest = max((np.nanmax(np.abs(values)) for values in channels if values is not None),
+                  default=0.0)
+    for unit, size in (("kJ", 1e3), ("J", 1.0), ("mJ", 1e-3), ("µJ", 1e-6)):
+        if largest >= size:
+            return 1 / size, unit
+    return 1e9, "nJ"

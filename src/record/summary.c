@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/summary.h"
+
+#include "record/json.h"
+#include "world/neighbours.h"
+
+#include <stdlib.h>
+
+static void put_run(qn_json *j, const qn_world *w, const qn_progress *p, bool finished)
+{
+    double particle_steps = (double)w->step * (double)w->count;
+    qn_json_text(j, "format", QN_RECORDING_FORMAT);
+    qn_json_text(j, "version", QN_VERSION);
+    qn_json_text(j, "title", w->def.title);
+    qn_json_flag(j, "finished", finished);
+    qn_json_integer(j, "particles", w->count);
+    qn_json_integer(j, "steps", w->step);
+    qn_json_number(j, "time_s", qn_world_time(w));
+    qn_json_number(j, "dt_s", w->dt);
+    qn_json_number(j, "wall_s", p->wall);
+    qn_json_number(j, "particle_steps_per_s", particle_steps / p->wall);
+    qn_json_integer(j, "threads", w->threads);
+    qn_json_text(j, "backend", "cpu");
+    qn_json_integer(j, "list_rebuilds", w->neighbours ? w->neighbours->rebuilds : 0);
+}
+
+static void put_drum(qn_json *j, const qn_world *w)
+{
+    bool drum = w->walls.has_drum;
+    double nothing = (double)NAN;
+    double critical = sqrt(2 * qn_norm(w->gravity) / w->walls.drum.diameter);
+    qn_json_number(j, "critical_speed_rad_s", drum ? critical : nothing);
+    qn_json_number(j, "speed_rad_s",
+                   drum ? qn_drum_speed(&w->walls.drum, qn_world_time(w)) : nothing);
+}
+
+static void put_power(qn_json *j, const qn_world *w, const qn_measure *m)
+{
+    qn_power power = qn_passages_power(&m->passages);
+    qn_json_number(j, "power_torque_w", power.torque);
+    qn_json_number(j, "power_stderr_w", power.standard_error);
+    qn_json_number(j, "power_dissipated_w", power.dissipated);
+    qn_json_number(j, "power_stored_w", power.storing);
+    qn_json_number(j, "power_drift_w", power.drift);
+    qn_json_number(j, "power_window_s", power.window);
+    qn_json_integer(j, "power_passages", power.passages);
+    if (isfinite(power.torque))
+        qn_json_flag(j, "steady", power.steady);
+    else
+        qn_json_null(j, "steady");
+    qn_json_open(j, "power_parts_w", '{');
+    for (int p = 0; p < w->walls.part_count && m->passages.active; p++)
+        qn_json_number(j, w->walls.parts[p].name, qn_passages_part_power(&m->passages, p));
+    qn_json_close(j);
+}
+
+static double value_of(const qn_measure *m, const double *row, const char *name)
+{
+    return row ? qn_measure_value(m, row, name) : (double)NAN;
+}
+
+static qn_status put_charge(qn_json *j, const qn_world *w, const qn_measure *m, const double *row)
+{
+    double bulk, shoulder, toe;
+    QN_TRY(qn_measure_bulk_solidity(m, &bulk));
+    qn_ring_edges(&m->ring, bulk, &shoulder, &toe);
+    double deepest_time = (double)w->ledger.deepest_step * w->dt;
+    qn_json_number(j, "energy_residual_relative", value_of(m, row, "residual_relative"));
+    qn_json_number(j, "max_overlap_over_radius", w->ledger.deepest);
+    qn_json_number(j, "max_overlap_time_s", deepest_time);
+    qn_json_number(j, "contacts_per_particle", value_of(m, row, "contacts_per_particle"));
+    qn_json_number(j, "solidity_bulk", bulk);
+    qn_json_number(j, "shoulder_deg", shoulder);
+    qn_json_number(j, "toe_deg", toe);
+    return QN_OK;
+}
+
+qn_status qn_summary_write(const char *path, const qn_world *world, const qn_measure *measure,
+                           const qn_progress *progress, const double *row, bool finished)
+{
+    qn_json json;
+    char *text;
+    qn_json_begin(&json);
+    put_run(&json, world, progress, finished);
+    put_drum(&json, world);
+    put_power(&json, world, measure);
+    qn_status status = put_charge(&json, world, measure, row);
+    qn_json_hex(&json, "state_hash", progress->state_hash);
+    qn_status ended = qn_json_end(&json, &text);
+    if (ended != QN_OK) return ended;
+    if (status == QN_OK) status = qn_atomic_text(path, text);
+    free(text);
+    return status;
+}

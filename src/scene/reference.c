@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reference of all keys, from the lists the reader itself works by.
+#include "scene/keys.h"
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char intro[] =
+    "A scene is a YAML file. A value carries its unit (`210 GPa`, `70 %critical`, `3 mm`); a "
+    "vector is\n"
+    "three numbers and one unit (`0 -9.81 0 m/s2`); a pure number takes no unit, a share may be "
+    "written\n"
+    "in %. Names of materials, walls and groups are free. File names are relative to the scene.\n";
+
+/// What may be written: words for a choice, units for a number.
+static void form_of(const qn_key *key, char *text, size_t size)
+{
+    char list[256];
+    bool numeric = key->kind == QN_KIND_NUMBER || key->kind == QN_KIND_VECTOR;
+    qn_units_list(key->units, list, sizeof list);
+    if (key->kind == QN_KIND_WORD) {
+        size_t length = strlen(key->words);
+        while (length > 0 && key->words[length - 1] == ' ') length--;
+        snprintf(text, size, "%.*s", (int)length, key->words);
+    } else if (numeric && *list)
+        snprintf(text, size, "%s in %s%s%s%s", qn_kind_text(key->kind),
+                 key->units & QN_IN_PURE ? "1, " : "", list, *key->words ? ", or " : "",
+                 key->words);
+    else
+        snprintf(text, size, "%s", qn_kind_text(key->kind));
+}
+
+static const char *default_of(const qn_key *key)
+{
+    return !strcmp(key->fallback, REQUIRED) ? "required" : *key->fallback ? key->fallback : "-";
+}
+
+static void write_markdown(FILE *out, const qn_section *s)
+{
+    fprintf(out, "\n## %s\n\n`%s`\n\n", s->title, *s->path ? s->path : "top level");
+    fprintf(out, "| key | value | range | default | meaning |\n|---|---|---|---|---|\n");
+    for (int i = 0; i < s->key_count; i++) {
+        const qn_key *k = &s->keys[i];
+        char form[512], range[128];
+        form_of(k, form, sizeof form);
+        qn_key_range_text(k, range, sizeof range);
+        fprintf(out, "| `%s` | %s | %s | %s | %s |\n", k->name, form, range, default_of(k),
+                k->meaning);
+    }
+}
+
+static void write_plain(FILE *out, const qn_section *s)
+{
+    fprintf(out, "\n%s\n  %s\n", s->title, *s->path ? s->path : "top level");
+    for (int i = 0; i < s->key_count; i++) {
+        const qn_key *k = &s->keys[i];
+        char form[512], range[128];
+        form_of(k, form, sizeof form);
+        qn_key_range_text(k, range, sizeof range);
+        fprintf(out, "    %-18s %s\n", k->name, k->meaning);
+        fprintf(out, "    %-18s   %s%s%s", "", form, *range ? "; " : "", range);
+        if (!strcmp(k->fallback, REQUIRED))
+            fprintf(out, "; required");
+        else if (*k->fallback)
+            fprintf(out, "; default: %s", k->fallback);
+        fprintf(out, "\n");
+    }
+}
+
+static void write_laws(FILE *out, bool markdown)
+{
+    fprintf(out, markdown ? "\n## Contact laws\n\n" : "\nContact laws\n");
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning)                     \
+    fprintf(out, markdown ? "- `%s`: %s; clip: %s\n" : "    %-18s %s; clip: %s\n", text, meaning, \
+            clips ? "yes" : "no");
+    QN_LAWS(L)
+#undef L
+}
+
+qn_status qn_scene_reference(bool markdown, char **text)
+{
+    size_t size;
+    FILE *out = open_memstream(text, &size);
+    if (!out) return qn_fail(QN_MEMORY, "no memory for the reference of scenes");
+    if (markdown)
+        fprintf(out,
+                "<!-- Written by `quern help scene --markdown`; do not edit. -->\n# Scenes\n\n");
+    for (const char *p = intro; *p; p++)
+        if (markdown || *p != '`') fputc(*p, out);
+    for (int i = 0; i < QN_SECTION_COUNT; i++) {
+        if (markdown)
+            write_markdown(out, &qn_sections[i]);
+        else
+            write_plain(out, &qn_sections[i]);
+    }
+    write_laws(out, markdown);
+    if (fclose(out) == 0) return QN_OK;
+    free(*text);
+    return qn_fail(QN_MEMORY, "no memory for the reference of scenes");
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// A definition as the text of a scene: every key, in SI units, with 17 digits.
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *yes(bool b)
+{
+    return b ? "yes" : "no";
+}
+
+static const char *const law_texts[] = {
+#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text,
+    QN_LAWS(L)
+#undef L
+};
+
+static void write_vector(FILE *out, const char *key, qn_vec3 v, const char *unit)
+{
+    fprintf(out, "%s: %.17g %.17g %.17g%s%s", key, v.x, v.y, v.z, *unit ? " " : "", unit);
+}
+
+static void write_span(FILE *out, const char *key, qn_span s)
+{
+    static const char *const units[] = {"s", "rev", "steps"};
+    fprintf(out, "%s: %.17g %s", key, s.value, units[s.unit]);
+}
+
+/// A text between double quotes.
+static void write_quoted(FILE *out, const char *key, const char *text)
+{
+    fprintf(out, "%s: \"", key);
+    for (const char *p = text; *p; p++) {
+        if (*p == '"' || *p == '\\') fputc('\\', out);
+        if (*p == '\n')
+            fputs("\\n", out);
+        else
+            fputc(*p, out);
+    }
+    fputs("\"\n", out);
+}
+
+static void write_head(FILE *out, const qn_def *def)
+{
+    fprintf(out,
+            "# The scene as it was understood: every key, in SI units.\nformat: quern-scene/1\n");
+    if (*def->title) write_quoted(out, "title", def->title);
+    write_vector(out, "gravity", def->gravity, "m/s2");
+    fprintf(out, "\nseed: %llu\ntime: {", (unsigned long long)def->seed);
+    write_span(out, "end", def->end);
+    if (def->step > 0)
+        fprintf(out, ", step: %.17g s", def->step);
+    else
+        fprintf(out, ", step: auto");
+    fprintf(out, ", rayleigh_fraction: %.17g}\n", def->rayleigh_fraction);
+}
+
+static void write_materials(FILE *out, const qn_def *def)
+{
+    fprintf(out, "materials:\n");
+    for (int i = 0; i < def->material_count; i++) {
+        const qn_material_def *m = &def->materials[i];
+        fprintf(out, "  %s: {young: %.17g Pa, poisson: %.17g, density: %.17g kg/m3}\n", m->name,
+                m->youngs_modulus, m->poisson_ratio, m->density);
+    }
+    if (def->contact_count > 0) fprintf(out, "contacts:\n");
+    for (int i = 0; i < def->contact_count; i++) {
+        const qn_contact_def *c = &def->contacts[i];
+        fprintf(out,
+                "  %s-%s: {law: %s, friction: %.17g, restitution: %.17g, rolling_friction: %.17g, "
+                "clip: %s",
+                def->materials[c->material_a].name, def->materials[c->material_b].name,
+                law_texts[c->law], c->friction, c->restitution, c->rolling_friction, yes(c->clip));
+        if (c->law == QN_LAW_LINEAR)
+            fprintf(out, ", stiffness: %.17g N/m, tangential_ratio: %.17g", c->stiffness,
+                    c->tangential_ratio);
+        fprintf(out, "}\n");
+    }
+}
+
+static void write_drum(FILE *out, const qn_def *def)
+{
+    static const char *const ends[] = {"periodic", "fixed", "turning"};
+    const qn_drum_def *d = &def->drum;
+    if (!d->present) return;
+    fprintf(out, "drum:\n");
+    write_quoted(out, "  name", d->name);
+    fprintf(out, "  diameter: %.17g m\n  length: %.17g m\n  material: %s\n  ends: %s\n",
+            d->diameter, d->length, def->materials[d->material].name, ends[d->ends]);
+    if (d->ends != QN_ENDS_PERIODIC)
+        fprintf(out, "  end_material: %s\n", def->materials[d->end_material].name);
+    fprintf(out, "  schedule:\n");
+    for (int i = 0; i < d->leg_count; i++) {
+        const qn_leg *l = &d->legs[i];
+        if (isfinite(l->duration))
+            fprintf(out, "    - {duration: %.17g s, from: %.17g rad/s, to: %.17g rad/s}\n",
+                    l->duration, l->from, l->to);
+        else
+            fprintf(out, "    - {at: %.17g rad/s}\n", l->to);
+    }
+    if (d->profile_count > 0)
+        fprintf(out, "  # profile: %d points from a file\n", d->profile_count);
+    else if (d->lifter_count > 0)
+        fprintf(out, "  lifters: {count: %d, height: %.17g m, top: %.17g m, base: %.17g m}\n",
+                d->lifter_count, d->lifter_height, d->lifter_top, d->lifter_base);
+}
+
+static void write_walls(FILE *out, const qn_def *def)
+{
+    if (def->plane_count + def->mesh_count > 0) fprintf(out, "walls:\n");
+    for (int i = 0; i < def->plane_count; i++) {
+        const qn_plane_def *p = &def->planes[i];
+        fprintf(out, "  %s: {shape: plane, material: %s, ", p->name,
+                def->materials[p->material].name);
+        write_vector(out, "point", p->point, "m");
+        write_vector(out, ", normal", p->normal, "");
+        fprintf(out, "}\n");
+    }
+    for (int i = 0; i < def->mesh_count; i++) {
+        const qn_mesh_def *m = &def->meshes[i];
+        fprintf(out, "  # %s: %d triangles from a file, of %s, turning: %s\n", m->name,
+                m->triangle_count, def->materials[m->material].name, yes(m->turning));
+    }
+}
+
+static void write_sizes(FILE *out, const qn_group_def *g)
+{
+    if (g->size_count == 1) {
+        fprintf(out, "    diameter: %.17g m\n", g->diameter[0]);
+        return;
+    }
+    fprintf(out, "    fractions_by: number\n    sizes:\n");
+    for (int i = 0; i < g->size_count; i++)
+        fprintf(out, "      - {diameter: %.17g m, fraction: %.17g}\n", g->diameter[i],
+                g->fraction[i]);
+}
+
+static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
+{
+    fprintf(out, "  %s:\n    material: %s\n    fixed: %s\n", g->name,
+            def->materials[g->material].name, yes(g->fixed));
+    if (g->packing == QN_PACK_LIST && g->list_count == 1) {
+        const double *x = g->list_position;
+        write_vector(out, "    fill: at\n    at", qn_v3(x[0], x[1], x[2]), "m");
+        fprintf(out, "\n");
+    } else if (g->packing == QN_PACK_LIST)
+        fprintf(out, "    # fill: file, %d spheres of %d sizes\n", g->list_count, g->size_count);
+    else {
+        fprintf(out, "    fill: %s\n    ", g->packing == QN_PACK_HCP ? "hcp" : "grid");
+        if (g->amount_kind == QN_AMOUNT_COUNT)
+            fprintf(out, "count: %.0f\n", g->amount);
+        else if (g->amount_kind == QN_AMOUNT_FILLING)
+            fprintf(out, "filling: %.17g\n", g->amount);
+        else
+            fprintf(out, "mass: %.17g kg\n", g->amount);
+        fprintf(out, "    padding: %.17g\n    jitter: %.17g\n", g->padding, g->jitter);
+    }
+    if (g->packing != QN_PACK_LIST || g->list_count == 1) write_sizes(out, g);
+    write_vector(out, "    velocity", g->velocity, "m/s");
+    write_vector(out, "\n    spin", g->spin, "rad/s");
+    fprintf(out, "\n");
+}
+
+static void write_fields(FILE *out, const qn_measure_def *m)
+{
+    write_span(out, "  fields: {every", m->fields_every);
+    write_span(out, ", start", m->fields_start);
+    write_span(out, ", duration", m->fields_duration);
+    fprintf(out, ", cells:");
+    for (int i = 0; i < m->grid_count; i++) fprintf(out, " %.17g", m->grid_cell[i]);
+    fprintf(out, ", layers:");
+    for (int i = 0; i < m->grid_count; i++) fprintf(out, " %d", m->grid_layers[i]);
+    fprintf(out, "}\n");
+}
+
+static void write_tail(FILE *out, const qn_def *def)
+{
+    const qn_measure_def *m = &def->measure;
+    const qn_output_def *o = &def->output;
+    write_span(out, "measure:\n  series", m->series_every);
+    fprintf(out, "\n");
+    if (m->grid_count > 0) write_fields(out, m);
+    if (m->traced_count > 0) {
+        fprintf(out, "  traces: {ids:");
+        for (int i = 0; i < m->traced_count; i++) fprintf(out, " %lld", (long long)m->traced[i]);
+        write_span(out, ", every", m->traces_every);
+        fprintf(out, "}\n");
+    }
+    fprintf(out, "output:\n");
+    write_quoted(out, "  directory", o->directory);
+    if (o->frames_every.value > 0)
+        write_span(out, "  frames", o->frames_every);
+    else
+        fprintf(out, "  frames: none");
+    fprintf(out, "\n  checkpoint: %.17g s\n  keep: %d\n  pictures: %s\n", o->checkpoint_every,
+            o->checkpoint_keep, yes(o->pictures));
+    if (def->skin > 0)
+        fprintf(out, "numerics: {skin: %.17g", def->skin);
+    else
+        fprintf(out, "numerics: {skin: auto");
+    fprintf(out, ", bed_solidity: %.17g}\n", def->bed_solidity);
+}
+
+qn_status qn_scene_resolved(const qn_def *def, char **text)
+{
+    size_t size;
+    FILE *out = open_memstream(text, &size);
+    if (!out) return qn_fail(QN_MEMORY, "no memory for the resolved scene");
+    write_head(out, def);
+    write_materials(out, def);
+    write_drum(out, def);
+    write_walls(out, def);
+    fprintf(out, "particles:\n");
+    for (int i = 0; i < def->group_count; i++) write_group(out, def, &def->groups[i]);
+    write_tail(out, def);
+    if (fclose(out) == 0) return QN_OK;
+    free(*text);
+    return qn_fail(QN_MEMORY, "no memory for the resolved scene");
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes: from the YAML a person writes to a checked world definition in SI units.
+//
+//     units      what may stand behind a number
+//     keys       every key there is: kind, unit, range, default, meaning
+//     tree       the text as maps, lists and scalars with their places
+//     value      one value; reader: one section of them
+//     build_*    sections into the definition; check: what only shows when all is known
+//     messages   everything that is wrong, with line and caret, in one go
+//
+// Read once at the start of a command. Nothing is printed or written.
+#ifndef QN_SCENE_SCENE_H
+#define QN_SCENE_SCENE_H
+
+#include "scene/messages.h"
+#include "world/def.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/// Reads a scene file and the geometry and particle files it names (relative to it).
+///
+/// @param def       filled on success; release with qn_def_free(). Empty otherwise.
+/// @param messages  zeroed by the caller; errors and warnings as they should be printed
+/// @return QN_INPUT if something is wrong with the scene, QN_IO if the file cannot be read; qn_error()
+///         then holds one sentence, the messages all of them.
+QN_NODISCARD qn_status qn_scene_read(const char *path, qn_def *def, qn_messages *messages);
+
+/// As qn_scene_read for a text in memory.
+///
+/// @param name       for messages; the run folder is called after it
+/// @param directory  of the files the scene names, with its final '/'; NULL refuses them all
+QN_NODISCARD qn_status qn_scene_read_text(const char *text, size_t length, const char *name,
+                                          const char *directory, qn_def *def,
+                                          qn_messages *messages);
+
+/// Every key of a definition with its value in SI units, defaults included, as the text of a scene;
+/// *text is to be released with free(). What came from files (meshes, profiles, lists of particles) is
+/// named in comments. Call it before qn_world_create(), which empties the definition.
+QN_NODISCARD qn_status qn_scene_resolved(const qn_def *def, char **text);
+
+/// The reference of all keys, for a terminal or as Markdown; *text is to be released with free().
+QN_NODISCARD qn_status qn_scene_reference(bool markdown, char **text);
+
+/// The commented scene of this name ("mill", "drop"), or NULL.
+const char *qn_scene_template(const char *name);
+
+/// Names of all templates, separated by spaces.
+const char *qn_scene_template_names(void);
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// Units: what may stand behind a number in a scene, and what it is in SI.
+//
+// A value is number * times / over; the division keeps 3 mm the double nearest to 0.003.
+#ifndef QN_SCENE_UNITS_H
+#define QN_SCENE_UNITS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// clang-format off
+//    NAME           what it is            in SI
+#define QN_DIMENSIONS(D)                                      \
+    D(PURE,         "a pure number",       "")                \
+    D(PERCENT,      "a share",             "")                \
+    D(LENGTH,       "a length",            "m")               \
+    D(TIME,         "a time",              "s")               \
+    D(REVOLUTIONS,  "turns of the drum",   "rev")             \
+    D(STEPS,        "time steps",          "steps")           \
+    D(MASS,         "a mass",              "kg")              \
+    D(DENSITY,      "a density",           "kg/m3")           \
+    D(PRESSURE,     "a pressure",          "Pa")              \
+    D(STIFFNESS,    "a spring stiffness",  "N/m")             \
+    D(ACCELERATION, "an acceleration",     "m/s2")            \
+    D(VELOCITY,     "a velocity",          "m/s")             \
+    D(SPIN,         "an angular velocity", "rad/s")           \
+    D(CRITICAL,     "a share of the critical speed", "critical") \
+    D(ANGLE,        "an angle",            "rad")
+
+//    dimension     name         times                    over
+#define QN_UNITS(U)                                         \
+    U(PERCENT,      "%",         1,                       100)  \
+    U(LENGTH,       "m",         1,                       1)    \
+    U(LENGTH,       "mm",        1,                       1e3)  \
+    U(LENGTH,       "cm",        1,                       1e2)  \
+    U(LENGTH,       "um",        1,                       1e6)  \
+    U(LENGTH,       "in",        25.4,                    1e3)  \
+    U(TIME,         "s",         1,                       1)    \
+    U(TIME,         "ms",        1,                       1e3)  \
+    U(TIME,         "us",        1,                       1e6)  \
+    U(TIME,         "ns",        1,                       1e9)  \
+    U(TIME,         "min",       60,                      1)    \
+    U(TIME,         "h",         3600,                    1)    \
+    U(REVOLUTIONS,  "rev",       1,                       1)    \
+    U(STEPS,        "steps",     1,                       1)    \
+    U(STEPS,        "step",      1,                       1)    \
+    U(MASS,         "kg",        1,                       1)    \
+    U(MASS,         "g",         1,                       1e3)  \
+    U(MASS,         "mg",        1,                       1e6)  \
+    U(MASS,         "t",         1e3,                     1)    \
+    U(DENSITY,      "kg/m3",     1,                       1)    \
+    U(DENSITY,      "g/cm3",     1e3,                     1)    \
+    U(PRESSURE,     "Pa",        1,                       1)    \
+    U(PRESSURE,     "kPa",       1e3,                     1)    \
+    U(PRESSURE,     "MPa",       1e6,                     1)    \
+    U(PRESSURE,     "GPa",       1e9,                     1)    \
+    U(STIFFNESS,    "N/m",       1,                       1)    \
+    U(STIFFNESS,    "kN/m",      1e3,                     1)    \
+    U(STIFFNESS,    "MN/m",      1e6,                     1)    \
+    U(STIFFNESS,    "N/mm",      1e3,                     1)    \
+    U(ACCELERATION, "m/s2",      1,                       1)    \
+    U(ACCELERATION, "mm/s2",     1,                       1e3)  \
+    U(VELOCITY,     "m/s",       1,                       1)    \
+    U(VELOCITY,     "mm/s",      1,                       1e3)  \
+    U(VELOCITY,     "cm/s",      1,                       1e2)  \
+    U(SPIN,         "rad/s",     1,                       1)    \
+    U(SPIN,         "rpm",       3.14159265358979323846,  30)   \
+    U(SPIN,         "deg/s",     3.14159265358979323846,  180)  \
+    U(CRITICAL,     "%critical", 1,                       100)  \
+    U(ANGLE,        "rad",       1,                       1)    \
+    U(ANGLE,        "deg",       3.14159265358979323846,  180)
+// clang-format on
+
+enum {
+#define D(NAME, what, si) QN_DIMENSION_##NAME,
+    QN_DIMENSIONS(D)
+#undef D
+        QN_DIMENSION_COUNT
+};
+
+/// What a key accepts: one bit for each dimension, and a few usual sets of them.
+enum {
+#define D(NAME, what, si) QN_IN_##NAME = 1 << QN_DIMENSION_##NAME,
+    QN_DIMENSIONS(D)
+#undef D
+        QN_IN_SHARE = QN_IN_PURE | QN_IN_PERCENT,
+    QN_IN_SPAN = QN_IN_TIME | QN_IN_REVOLUTIONS | QN_IN_STEPS,
+    QN_IN_SPEED = QN_IN_SPIN | QN_IN_CRITICAL,
+};
+
+typedef struct qn_unit {
+    int dimension;
+    const char *name;
+    double times, over;
+} qn_unit;
+
+/// The unit of this name, of `length` bytes, or NULL; "m/s^2" is "m/s2".
+const qn_unit *qn_unit_find(const char *name, size_t length);
+
+/// Writes the names of all units that `accepted` (bits) lets in: "m, mm, cm, um, in".
+void qn_units_list(unsigned accepted, char *text, size_t size);
+
+/// "a time, turns of the drum or time steps"
+void qn_units_describe(unsigned accepted, char *text, size_t size);
+
+/// SI unit of the first dimension accepted; "" for a pure number.
+const char *qn_units_si(unsigned accepted);
+
+const char *qn_dimension_text(int dimension);
+
+#endif
