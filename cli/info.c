@@ -71,7 +71,7 @@ static herr_t print_item(hid_t file, const char *name, const H5O_info_t *about, 
 
 static void print_grid(hid_t file, int number)
 {
-    char name[16];
+    char name[32];
     hid_t grid;
     double cell, first, last;
     int64_t samples;

@@ -34,11 +34,13 @@ QN_FN qn_tangential qn_mindlin_tangential(const qn_pair *p, double depth, double
                      slip, slide, p->dt);
 }
 
-/// Energy the spring loses in one step because its stiffness falls with the depth (J; a gain while
-/// the depth grows): -1/2 slip^2 dk/dt dt with k ~ sqrt(depth).
+/// Energy the spring loses in the kick of one step because its stiffness k ~ sqrt(depth) changes at
+/// constant slip (J; a gain while the depth grows): 1/2 slip^2 (k(n - 1/2) - k(n + 1/2)).
 QN_FN double qn_mindlin_residue(double energy, double depth, double rate, double dt)
 {
-    return -0.5 * energy * rate * dt / depth;
+    double half = 0.5 * rate * dt;
+    double before = sqrt(qn_max(depth - half, 0)), after = sqrt(qn_max(depth + half, 0));
+    return energy * (before - after) / sqrt(depth);
 }
 
 #endif

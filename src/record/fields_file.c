@@ -73,7 +73,7 @@ static qn_status put_geometry(hid_t group, const qn_field *f, const qn_world *w)
 
 static qn_status put_field(hid_t file, int index, const qn_field *f, const qn_world *w)
 {
-    char name[16];
+    char name[32];
     double *numbers;
     hid_t group;
     snprintf(name, sizeof name, "grid_%d", index);

@@ -219,6 +219,7 @@ qn_status qn_recorder_finish(qn_recorder *rec, qn_world *world, qn_measure *meas
     QN_TRY(qn_step_forces(world, QN_PROBE));
     double *row = measure->series.row;
     QN_TRY(qn_measure_row(measure, world, row));
+    QN_TRY(qn_measure_sample(measure, world));  // a window may end on the last step
     write_row(rec, world, measure, row);
     QN_TRY(write_pictures(rec, world, measure));
     QN_TRY(sync_files(rec));

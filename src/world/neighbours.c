@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/neighbours.h"
+#include "world/history.h"
 #include "world/sorter.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#define SKIN_SHARE 0.30  // 1   of the smallest radius: the automatic skin, by measurement (bench/)
+#define SKIN_SHARE 0.5   // 1   of the smallest radius: the automatic skin (0.2 to 0.6 tried)
 #define LEAST_SHARE 256  // 1   particles: fewer are not worth a thread
+
+double qn_neighbours_skin(const qn_world *w)
+{
+    return (w->def.skin > 0 ? w->def.skin : SKIN_SHARE) * w->smallest_radius;
+}
 
 qn_status qn_neighbours_create(qn_world *w)
 {
@@ -15,12 +21,13 @@ qn_status qn_neighbours_create(qn_world *w)
     QN_TRY(QN_ALLOCATE(nb, 1));
     w->neighbours = nb;
     QN_TRY(QN_ALLOCATE(nb->sorter, 1));
-    nb->share_count = w->threads < 1 + w->count / LEAST_SHARE ? w->threads : 1 + w->count / LEAST_SHARE;
+    nb->share_count = 1 + w->count / LEAST_SHARE;
+    if (nb->share_count > w->threads) nb->share_count = w->threads;
     QN_TRY(QN_ALLOCATE(nb->shares, nb->share_count));
     QN_TRY(QN_ALLOCATE(nb->anchor, w->count));
     QN_TRY(QN_ALLOCATE(nb->reach2, n * n));
     QN_TRY(QN_ALLOCATE(nb->touch2, n * n));
-    nb->skin = (w->def.skin > 0 ? w->def.skin : SKIN_SHARE) * w->smallest_radius;
+    nb->skin = qn_neighbours_skin(w);
     for (int k = 0; k < n * n; k++) {
         double touch = w->reaches[k].reach;
         bool never = w->classes[k / n].inverse_mass <= 0 && w->classes[k % n].inverse_mass <= 0;
@@ -45,171 +52,6 @@ void qn_neighbours_destroy(qn_neighbours *nb)
     free(nb);
 }
 
-// Copies out all touching pairs of the list, with the present index of each lower id; only counts
-// them where `out` is NULL. Returns how many there are.
-static int64_t gather(const qn_world *w, qn_contact *out, int32_t *index)
-{
-    const qn_neighbours *nb = w->neighbours;
-    int64_t n = 0;
-    for (int t = 0; t < nb->share_count; t++) {
-        const qn_share *share = &nb->shares[t];
-        for (int64_t k = 0, i = share->first; k < share->pair_count; k++) {
-            while (k >= share->row[i - share->first + 1]) i++;
-            if (!share->touching[k]) continue;
-            if (out) {
-                bool lower;
-                int home = w->place[qn_partner(share, k, &lower)].home, mine = (int)i;
-                int low = lower ? home : mine, high = lower ? mine : home;
-                out[n] = (qn_contact){w->id[low], w->id[high], share->slip[k]};
-                index[n] = low;
-            }
-            n++;
-        }
-    }
-    return n;
-}
-
-qn_status qn_neighbours_contacts(const qn_world *w, qn_contact **contacts, int64_t *count)
-{
-    const qn_neighbours *nb = w->neighbours;
-    const qn_sorter *sorter = nb->sorter;
-    int64_t n = 0;
-    if (nb->rebuilds == 0) {  // nothing built yet: what a restore has left waiting
-        int64_t waiting = sorter->carried_row ? sorter->carried_row[w->count] : 0;
-        QN_TRY(QN_ALLOCATE(*contacts, waiting));
-        memcpy(*contacts, sorter->carried, (size_t)waiting * sizeof **contacts);
-        *count = waiting;
-        return QN_OK;
-    }
-    int32_t *index = NULL;
-    n = gather(w, NULL, NULL);
-    QN_TRY(QN_ALLOCATE(*contacts, n));
-    QN_TRY(QN_ALLOCATE(index, n));
-    *count = gather(w, *contacts, index);
-    free(index);
-    return QN_OK;
-}
-
-qn_status qn_neighbours_wall_contacts(const qn_world *w, qn_wall_contact **contacts,
-                                      int64_t *count)
-{
-    const qn_neighbours *nb = w->neighbours;
-    const qn_sorter *sorter = nb->sorter;
-    int64_t n = 0;
-    if (nb->rebuilds == 0) n = sorter->touch_count;
-    for (int t = 0; nb->rebuilds > 0 && t < nb->share_count; t++) n += nb->shares[t].wall_count;
-    QN_TRY(QN_ALLOCATE(*contacts, n));
-    *count = n;
-    if (nb->rebuilds == 0) {
-        memcpy(*contacts, sorter->touches, (size_t)n * sizeof **contacts);
-        return QN_OK;
-    }
-    n = 0;
-    for (int t = 0; t < nb->share_count; t++) {
-        const qn_share *s = &nb->shares[t];
-        memcpy(*contacts + n, s->walls, (size_t)s->wall_count * sizeof **contacts);
-        n += s->wall_count;
-    }
-    return QN_OK;
-}
-
-// Lays contacts out in rows by the present index of their lower id; order within a row is free.
-static qn_status lay_rows(qn_world *w, const qn_contact *contacts, const int32_t *index,
-                          int64_t count)
-{
-    qn_sorter *s = w->neighbours->sorter;
-    QN_TRY(QN_RESERVE(s->carried, s->carried_room, count));
-    QN_TRY(QN_RESERVE(s->carried_row, s->carried_row_room, w->count + 2));
-    memset(s->carried_row, 0, (size_t)(w->count + 2) * sizeof *s->carried_row);
-    for (int64_t k = 0; k < count; k++) s->carried_row[index[k] + 2]++;
-    for (int i = 0; i < w->count; i++) s->carried_row[i + 2] += s->carried_row[i + 1];
-    for (int64_t k = 0; k < count; k++) s->carried[s->carried_row[index[k] + 1]++] = contacts[k];
-    return QN_OK;
-}
-
-// The history of the list in use, as rows by the lower id's index.
-static qn_status collect(qn_world *w)
-{
-    qn_neighbours *nb = w->neighbours;
-    qn_sorter *s = nb->sorter;
-    int64_t n = gather(w, NULL, NULL);
-    QN_TRY(QN_RESERVE(s->gathered, s->gathered_room, n));
-    QN_TRY(QN_RESERVE(s->gathered_low, s->gathered_low_room, n));
-    gather(w, s->gathered, s->gathered_low);
-    QN_TRY(lay_rows(w, s->gathered, s->gathered_low, n));
-    s->touch_count = 0;
-    for (int t = 0; t < nb->share_count; t++) {
-        const qn_share *share = &nb->shares[t];
-        QN_TRY(QN_RESERVE(s->touches, s->touch_room, s->touch_count + share->wall_count));
-        memcpy(s->touches + s->touch_count, share->walls,
-               (size_t)share->wall_count * sizeof *s->touches);
-        s->touch_count += share->wall_count;
-    }
-    return QN_OK;
-}
-
-// Index of an id in a world whose particles stand in the order of their ids, or -1.
-static int index_of(const qn_world *w, int64_t id)
-{
-    int low = 0, high = w->count - 1;
-    while (low <= high) {
-        int middle = (low + high) / 2;
-        if (w->id[middle] == id) return middle;
-        if (w->id[middle] < id) low = middle + 1;
-        else high = middle - 1;
-    }
-    return -1;
-}
-
-static qn_status take_touches(qn_world *w, const qn_wall_contact *touches, int64_t count)
-{
-    qn_sorter *s = w->neighbours->sorter;
-    QN_TRY(QN_RESERVE(s->touches, s->touch_room, count));
-    for (int64_t k = 0; k < count; k++) {
-        s->touches[k] = touches[k];
-        s->touches[k].index = index_of(w, touches[k].id);
-        if (s->touches[k].index < 0)
-            return qn_fail(QN_INPUT, "the state has a wall contact of particle %lld, which it lacks",
-                           (long long)touches[k].id);
-    }
-    s->touch_count = count;
-    return QN_OK;
-}
-
-qn_status qn_neighbours_restore(qn_world *w, const qn_contact *contacts, int64_t contact_count,
-                                const qn_wall_contact *touches, int64_t touch_count)
-{
-    qn_neighbours *nb = w->neighbours;
-    int32_t *index;
-    QN_TRY(QN_ALLOCATE(index, contact_count));
-    qn_status status = QN_OK;
-    for (int64_t k = 0; k < contact_count && status == QN_OK; k++) {
-        index[k] = index_of(w, contacts[k].low);
-        if (index[k] < 0 || index_of(w, contacts[k].high) < 0)
-            status = qn_fail(QN_INPUT, "the state has a contact %lld-%lld of a particle it lacks",
-                             (long long)contacts[k].low, (long long)contacts[k].high);
-    }
-    if (status == QN_OK) status = lay_rows(w, contacts, index, contact_count);
-    free(index);
-    QN_TRY(status);
-    nb->rebuilds = 0;
-    nb->stale = true;
-    return take_touches(w, touches, touch_count);
-}
-
-// Finds the history of a new pair among the carried contacts of its lower id.
-static bool find_history(const qn_world *w, int low, int64_t high_id, qn_vec3 *slip)
-{
-    const qn_sorter *s = w->neighbours->sorter;
-    int old = s->from[low];
-    for (int64_t k = s->carried_row[old]; k < s->carried_row[old + 1]; k++)
-        if (s->carried[k].high == high_id) {
-            *slip = s->carried[k].slip;
-            return true;
-        }
-    return false;
-}
-
 // Lists the particles [from, to) as partners of i where they are near enough.
 static void list_run(const qn_world *w, qn_share *share, int i, int from, int to)
 {
@@ -224,7 +66,7 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
         int64_t k = share->pair_count++;
         share->partner[k] = (uint32_t)j << 1 | lower;
         share->slip[k] = qn_v3(0, 0, 0);
-        share->touching[k] = find_history(w, lower ? q.home : i, w->id[lower ? i : q.home],
+        share->touching[k] = qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home],
                                           &share->slip[k]);
     }
 }
@@ -369,13 +211,13 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     qn_sorter *s = nb->sorter;
     double cell = 2 * w->largest_radius + nb->skin;
     QN_TRY(check_all(w));
-    if (nb->rebuilds > 0) QN_TRY(collect(w));
-    else if (!s->carried_row) QN_TRY(lay_rows(w, NULL, NULL, 0));
+    QN_TRY(qn_history_collect(w));
     QN_TRY(qn_grid_lay(&s->grid, w, cell));
     QN_TRY(qn_sort_particles(s, w));
     QN_TRY(qn_sort_images(s, w, cell, &nb->image_count));
     for (int64_t k = 0; k < s->touch_count; k++) s->touches[k].index = s->to[s->touches[k].index];
-    qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);
+    if (s->touch_count > 0)
+        qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);
     for (int i = 0; i < w->count; i++)
         nb->anchor[i] = (qn_anchor){w->place[i].x, w->place[i].y, w->place[i].z};
     QN_TRY(list_all(w));

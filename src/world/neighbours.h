@@ -55,6 +55,9 @@ struct qn_neighbours {
     struct qn_sorter *sorter;  //     buffers of the rebuild; owned
 };
 
+/// The skin (m) of a world's list: as the scene says, or half the smallest radius.
+double qn_neighbours_skin(const qn_world *world);
+
 /// Makes an empty, stale list for a world whose particles stand; decides skin and shares.
 QN_NODISCARD qn_status qn_neighbours_create(qn_world *world);
 void qn_neighbours_destroy(qn_neighbours *neighbours);

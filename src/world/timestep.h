@@ -4,8 +4,8 @@
 // Rayleigh time, of a sphere's surface wave:  t_R = pi R sqrt(rho/G) / (0.1631 nu + 0.8766)
 // Contact time, Hertz at impact speed v:      t_c = 2.94328 d/v,  d = (5 m* v^2 / (4 k))^(2/5)
 // Contact time, linear:                       t_c = pi sqrt(m*/k) / sqrt(1 - zeta^2)
-// Automatic step: the smaller of rayleigh_fraction t_R and t_c / 20 over all pairs; a contact then
-// has at least 20 steps, and restitution is right to half a percent.
+// Automatic step: the smaller of rayleigh_fraction t_R and t_c / 40 over all pairs; a contact then
+// has at least 40 steps, and restitution is right to about 0.1 %.
 //
 // Source: Li, Xu & Thornton (2005), Powder Technol. 160, 219, doi:10.1016/j.powtec.2005.09.002 (t_R);
 //         Hertz (1882), 2.94328 = 2 sqrt(pi) Gamma(7/5)/Gamma(9/10) (t_c).
@@ -16,7 +16,7 @@
 
 #define QN_RAYLEIGH_WARN 0.3    // 1   of the Rayleigh time: above it, a warning
 #define QN_RAYLEIGH_REFUSE 1.0  // 1   above it, no run
-#define QN_STEPS_PER_CONTACT 20.0
+#define QN_STEPS_PER_CONTACT 40.0
 
 typedef struct qn_timestep {
     double impact_speed;   // m/s  fastest impact to expect

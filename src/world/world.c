@@ -33,7 +33,7 @@ static qn_status choose_step(qn_world *w)
 
 static qn_status check_period(const qn_world *w)
 {
-    double least = 4 * w->largest_radius * 1.25;  // m   two reaches, the skin included
+    double least = 2 * (2 * w->largest_radius + qn_neighbours_skin(w));  // m   two reaches
     if (w->period > 0 && w->period < least)
         return qn_fail(QN_INPUT,
                        "drum.length = %g m is too short for periodic ends: a particle would meet "

@@ -121,15 +121,16 @@ static void one_wrong_bit_is_noticed_wherever_numbers_stand(void)
     const char *path = "damaged/checkpoints/checkpoint_000000000600.h5";
     char *text;
     int64_t length;
+    uint64_t hash;
     int refused = 0;
     remove_folder("damaged");
-    CHECK_STATUS(mill_run_through("damaged", QN_NEW, 600, 0, NULL));
+    CHECK_STATUS(mill_run_through("damaged", QN_NEW, 600, 0, &hash));
     CHECK_STATUS(qn_file_read(path, &text, &length));
     for (int i = 0; i < 20; i++) {
         mill m;
         spoil(path, (i + 0.5) / 20);
         if (mill_open(&m, mill_scene, "damaged", QN_RESUME) == QN_OK) {
-            CHECK(m.recorder.progress.state_hash != 0);
+            CHECK(m.recorder.progress.state_hash == hash);
             mill_close(&m);
         } else
             refused++;
@@ -144,7 +145,12 @@ static void another_scene_is_refused(void)
     mill m;
     CHECK_STATUS(run_whole());
     CHECK(mill_open(&m, mill_other_scene, "whole", QN_RESUME) == QN_INPUT);
-    CHECK(strstr(qn_error(), "another scene"));
+    CHECK(strstr(qn_error(), "was made from another scene"));
+    remove_folder("changed");
+    CHECK_STATUS(mill_run_through("changed", QN_NEW, 20, 0, NULL));
+    CHECK_STATUS(qn_atomic_text("changed/scene.yaml", mill_other_scene));
+    CHECK(mill_open(&m, mill_other_scene, "changed", QN_RESUME) == QN_INPUT);
+    CHECK(strstr(qn_error(), "it is of another scene"));
 }
 
 static void a_folder_is_never_written_over_unasked(void)

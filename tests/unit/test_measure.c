@@ -270,10 +270,12 @@ static void columns_hold_everything_a_resumed_run_needs(void)
         CHECK(n == qn_measure_columns(&after, to, 128) && n < 128);
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < i; j++) CHECK(strcmp(from[i].name, from[j].name) != 0);
+            CHECK(bytes_of(&from[i]) > 0);
             memcpy(to[i].data, from[i].data, bytes_of(&from[i]));
         }
         CHECK_STATUS(observe(&after, w, end));
         CHECK(first_difference(&whole, &after) == -1);
+        CHECK_NEAR(after.fields[1].filled, whole.fields[1].filled, 0);
         qn_measure_free(&whole), qn_measure_free(&before), qn_measure_free(&after);
         fake_free(w);
     }

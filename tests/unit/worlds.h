@@ -9,6 +9,7 @@
 #include "world/state.h"
 #include "world/timestep.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -29,11 +29,11 @@ typedef struct block {
     int64_t load[2][6][W];
 } block;
 
-// What the kernel needs beside a share's lists: part of the share.
+// What the kernel needs beside a share's lists: one block, the queues behind it.
 typedef struct workspace {
     block block;
-    queue *pairs;  // owned; [class_a * class_count + class_b]
-    queue *walls;  // owned; [surface * class_count + class]
+    queue *pairs;  // [class_a * class_count + class_b]
+    queue *walls;  // [surface * class_count + class]
 } workspace;
 
 #endif

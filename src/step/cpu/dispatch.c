@@ -50,23 +50,17 @@ const char *qn_kernel_isa(void)
 qn_status qn_kernel_prepare(const qn_world *w, qn_share *share)
 {
     if (share->workspace) return QN_OK;
-    workspace *work;
+    int pairs = w->class_count * w->class_count, walls = w->surface_count * w->class_count;
+    size_t sums = sizeof(qn_tally_sums) + (size_t)w->walls.part_count * sizeof(int64_t);
+    size_t bytes = sizeof(workspace) + (size_t)(pairs + walls) * sizeof(queue);
     if (!chosen) choose();
-    QN_TRY(QN_ALLOCATE(work, 1));
-    share->workspace = work;
-    QN_TRY(QN_ALLOCATE(work->pairs, w->class_count * w->class_count));
-    QN_TRY(QN_ALLOCATE(work->walls, w->surface_count * w->class_count));
-    QN_TRY(QN_ALLOCATE(share->sums, 1));
-    return QN_ALLOCATE(share->sums->torque, w->walls.part_count);
-}
-
-void qn_kernel_release(qn_share *share)
-{
+    QN_TRY(qn_allocate((void **)&share->sums, 1, sums));
+    share->sums->torque = (int64_t *)(share->sums + 1);
+    QN_TRY(qn_allocate(&share->workspace, 1, bytes));
     workspace *work = share->workspace;
-    if (work) free(work->pairs), free(work->walls);
-    if (share->sums) free(share->sums->torque);
-    free(share->sums), free(work);
-    share->sums = NULL, share->workspace = NULL;
+    work->pairs = (queue *)(work + 1);
+    work->walls = work->pairs + pairs;
+    return QN_OK;
 }
 
 qn_status qn_kernel_contacts(qn_world *w, qn_share *share, const qn_pose *pose, qn_mode mode)

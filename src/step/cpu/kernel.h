@@ -17,12 +17,11 @@ typedef struct qn_tally_sums {
     double energy[QN_TALLY_COUNT][QN_LANES];  // J
     double deepest;                           // 1   in radii of the smaller sphere
     int64_t contacts, wall_contacts;
-    int64_t *torque;                          //     by part, in the world's quanta; owned
+    int64_t *torque;                          //     by part, in the world's quanta; lies behind the sums
 } qn_tally_sums;
 
-/// Room for the contacts of one share; part of its workspace. Allocated once.
+/// Allocates what a share's contacts are worked on in, once: two blocks that go with the share.
 QN_NODISCARD qn_status qn_kernel_prepare(const qn_world *world, qn_share *share);
-void qn_kernel_release(qn_share *share);
 
 /// Adds this step's contacts of a share, with particles and with walls, to the loads of its own
 /// particles and to its spill; updates histories unless only probing. Runs on one thread. QN_MEMORY

@@ -134,8 +134,8 @@ static bool move(qn_world *w, int first, int last, bool *lost)
         m->spin_kick = qn_scale(0.5 * w->dt, turn);
         p->x += w->dt * m->velocity.x;
         p->y += w->dt * m->velocity.y;
-        p->z += w->dt * m->velocity.z;
-        p->z = w->period > 0 ? (p->z + rounder) - rounder : p->z;
+        double along = w->dt * m->velocity.z;
+        p->z += w->period > 0 ? (along + rounder) - rounder : along;
         double x = p->x - anchor->x, y = p->y - anchor->y, z = p->z - anchor->z;
         spent |= !(x * x + y * y + z * z <= half_skin2);
         unsound |= !(qn_dot(m->velocity, m->velocity) <= fast * fast);

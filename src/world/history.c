@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/history.h"
+#include "world/neighbours.h"
+#include "world/sorter.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void copy(qn_wall_contact *to, const qn_wall_contact *from, int64_t count)
+{
+    for (int64_t k = 0; k < count; k++) to[k] = from[k];
+}
+
+// Copies out all touching pairs of the list, with the present index of each lower id; only counts
+// them where `out` is NULL. Returns how many there are.
+static int64_t gather(const qn_world *w, qn_contact *out, int32_t *index)
+{
+    const qn_neighbours *nb = w->neighbours;
+    int64_t n = 0;
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_share *share = &nb->shares[t];
+        for (int64_t k = 0, i = share->first; k < share->pair_count; k++) {
+            while (k >= share->row[i - share->first + 1]) i++;
+            if (!share->touching[k]) continue;
+            if (out) {
+                bool lower;
+                int home = w->place[qn_partner(share, k, &lower)].home, mine = (int)i;
+                int low = lower ? home : mine, high = lower ? mine : home;
+                out[n] = (qn_contact){w->id[low], w->id[high], share->slip[k]};
+                index[n] = low;
+            }
+            n++;
+        }
+    }
+    return n;
+}
+
+qn_status qn_neighbours_contacts(const qn_world *w, qn_contact **contacts, int64_t *count)
+{
+    const qn_neighbours *nb = w->neighbours;
+    const qn_sorter *sorter = nb->sorter;
+    int64_t n = 0;
+    if (nb->rebuilds == 0) {  // nothing built yet: what a restore has left waiting
+        int64_t waiting = sorter->carried_row ? sorter->carried_row[w->count] : 0;
+        QN_TRY(QN_ALLOCATE(*contacts, waiting));
+        for (int64_t k = 0; k < waiting; k++) (*contacts)[k] = sorter->carried[k];
+        *count = waiting;
+        return QN_OK;
+    }
+    int32_t *index = NULL;
+    n = gather(w, NULL, NULL);
+    QN_TRY(QN_ALLOCATE(*contacts, n));
+    QN_TRY(QN_ALLOCATE(index, n));
+    *count = gather(w, *contacts, index);
+    free(index);
+    return QN_OK;
+}
+
+qn_status qn_neighbours_wall_contacts(const qn_world *w, qn_wall_contact **contacts,
+                                      int64_t *count)
+{
+    const qn_neighbours *nb = w->neighbours;
+    const qn_sorter *sorter = nb->sorter;
+    int64_t n = 0;
+    if (nb->rebuilds == 0) n = sorter->touch_count;
+    for (int t = 0; nb->rebuilds > 0 && t < nb->share_count; t++) n += nb->shares[t].wall_count;
+    QN_TRY(QN_ALLOCATE(*contacts, n));
+    *count = n;
+    if (nb->rebuilds == 0) {
+        copy(*contacts, sorter->touches, n);
+        return QN_OK;
+    }
+    n = 0;
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_share *s = &nb->shares[t];
+        copy(*contacts + n, s->walls, s->wall_count);
+        n += s->wall_count;
+    }
+    return QN_OK;
+}
+
+// Lays contacts out in rows by the present index of their lower id; order within a row is free.
+static qn_status lay_rows(qn_world *w, const qn_contact *contacts, const int32_t *index,
+                          int64_t count)
+{
+    qn_sorter *s = w->neighbours->sorter;
+    QN_TRY(QN_RESERVE(s->carried, s->carried_room, count));
+    QN_TRY(QN_RESERVE(s->carried_row, s->carried_row_room, w->count + 2));
+    memset(s->carried_row, 0, (size_t)(w->count + 2) * sizeof *s->carried_row);
+    for (int64_t k = 0; k < count; k++) s->carried_row[index[k] + 2]++;
+    for (int i = 0; i < w->count; i++) s->carried_row[i + 2] += s->carried_row[i + 1];
+    for (int64_t k = 0; k < count; k++) s->carried[s->carried_row[index[k] + 1]++] = contacts[k];
+    return QN_OK;
+}
+
+qn_status qn_history_collect(qn_world *w)
+{
+    qn_neighbours *nb = w->neighbours;
+    qn_sorter *s = nb->sorter;
+    if (nb->rebuilds == 0) return s->carried_row ? QN_OK : lay_rows(w, NULL, NULL, 0);
+    int64_t n = gather(w, NULL, NULL);
+    QN_TRY(QN_RESERVE(s->gathered, s->gathered_room, n));
+    QN_TRY(QN_RESERVE(s->gathered_low, s->gathered_low_room, n));
+    gather(w, s->gathered, s->gathered_low);
+    QN_TRY(lay_rows(w, s->gathered, s->gathered_low, n));
+    s->touch_count = 0;
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_share *share = &nb->shares[t];
+        QN_TRY(QN_RESERVE(s->touches, s->touch_room, s->touch_count + share->wall_count));
+        copy(s->touches + s->touch_count, share->walls, share->wall_count);
+        s->touch_count += share->wall_count;
+    }
+    return QN_OK;
+}
+
+// Index of an id in a world whose particles stand in the order of their ids, or -1.
+static int index_of(const qn_world *w, int64_t id)
+{
+    int low = 0, high = w->count - 1;
+    while (low <= high) {
+        int middle = (low + high) / 2;
+        if (w->id[middle] == id) return middle;
+        if (w->id[middle] < id) low = middle + 1;
+        else high = middle - 1;
+    }
+    return -1;
+}
+
+static qn_status take_touches(qn_world *w, const qn_wall_contact *touches, int64_t count)
+{
+    qn_sorter *s = w->neighbours->sorter;
+    QN_TRY(QN_RESERVE(s->touches, s->touch_room, count));
+    for (int64_t k = 0; k < count; k++) {
+        s->touches[k] = touches[k];
+        s->touches[k].index = index_of(w, touches[k].id);
+        if (s->touches[k].index < 0)
+            return qn_fail(QN_INPUT, "the state has a wall contact of particle %lld, which it lacks",
+                           (long long)touches[k].id);
+    }
+    s->touch_count = count;
+    return QN_OK;
+}
+
+qn_status qn_neighbours_restore(qn_world *w, const qn_contact *contacts, int64_t contact_count,
+                                const qn_wall_contact *touches, int64_t touch_count)
+{
+    qn_neighbours *nb = w->neighbours;
+    int32_t *index;
+    QN_TRY(QN_ALLOCATE(index, contact_count));
+    qn_status status = QN_OK;
+    for (int64_t k = 0; k < contact_count && status == QN_OK; k++) {
+        index[k] = index_of(w, contacts[k].low);
+        if (index[k] < 0 || index_of(w, contacts[k].high) < 0)
+            status = qn_fail(QN_INPUT, "the state has a contact %lld-%lld of a particle it lacks",
+                             (long long)contacts[k].low, (long long)contacts[k].high);
+    }
+    if (status == QN_OK) status = lay_rows(w, contacts, index, contact_count);
+    free(index);
+    QN_TRY(status);
+    nb->rebuilds = 0;
+    nb->stale = true;
+    return take_touches(w, touches, touch_count);
+}
+
+bool qn_history_find(const qn_world *w, int low, int64_t high_id, qn_vec3 *slip)
+{
+    const qn_sorter *s = w->neighbours->sorter;
+    int old = s->from[low];
+    for (int64_t k = s->carried_row[old]; k < s->carried_row[old + 1]; k++)
+        if (s->carried[k].high == high_id) {
+            *slip = s->carried[k].slip;
+            return true;
+        }
+    return false;
+}
