@@ -25,9 +25,12 @@ progress progress_begin(const qn_world *w, int64_t end_step, bool quiet)
 static void print_left(double seconds)
 {
     int64_t s = (int64_t)(seconds + 0.5);
-    if (s >= 3600) fprintf(stderr, "%lld h %02lld min", (long long)(s / 3600), (long long)(s / 60 % 60));
-    else if (s >= 60) fprintf(stderr, "%lld min %02lld s", (long long)(s / 60), (long long)(s % 60));
-    else fprintf(stderr, "%lld s", (long long)s);
+    if (s >= 3600)
+        fprintf(stderr, "%lld h %02lld min", (long long)(s / 3600), (long long)(s / 60 % 60));
+    else if (s >= 60)
+        fprintf(stderr, "%lld min %02lld s", (long long)(s / 60), (long long)(s % 60));
+    else
+        fprintf(stderr, "%lld s", (long long)s);
 }
 
 void progress_show(progress *p, const qn_world *w)
@@ -38,8 +41,8 @@ void progress_show(progress *p, const qn_world *w)
     double rate = (double)(w->step - p->shown_step) / (now - p->shown);
     double mean = (double)(w->step - p->first_step) / (now - p->started);
     fprintf(stderr, "%s%5.1f %%  %.4f s  %.3g particle-steps/s  ", p->terminal ? "\r" : "",
-            100.0 * (double)w->step / (double)(p->end_step > 0 ? p->end_step : 1),
-            qn_world_time(w), rate * w->count);
+            100.0 * (double)w->step / (double)(p->end_step > 0 ? p->end_step : 1), qn_world_time(w),
+            rate * w->count);
     print_left((double)(p->end_step - w->step) / (mean > 0 ? mean : 1));
     fprintf(stderr, " left%s", p->terminal ? "   " : "\n");
     p->shown = now, p->shown_step = w->step;

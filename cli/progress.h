@@ -8,7 +8,7 @@
 typedef struct progress {
     bool quiet, terminal;
     int64_t first_step, end_step;
-    double started, shown;       // s   clock
+    double started, shown;  // s   clock
     int64_t shown_step;
 } progress;
 

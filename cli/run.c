@@ -73,10 +73,14 @@ static bool parse_whole(const char *text, int64_t low, int64_t high, int64_t *va
 static qn_status parse(int argc, char **argv, options *o)
 {
     static const struct option table[] = {
-        {"output", required_argument, 0, 'o'},  {"threads", required_argument, 0, 't'},
-        {"until", required_argument, 0, 'u'},   {"steps", required_argument, 0, 's'},
-        {"resume", no_argument, 0, 'r'},        {"force", no_argument, 0, 'f'},
-        {"quiet", no_argument, 0, 'q'},         {"no-pictures", no_argument, 0, 'n'},
+        {"output", required_argument, 0, 'o'},
+        {"threads", required_argument, 0, 't'},
+        {"until", required_argument, 0, 'u'},
+        {"steps", required_argument, 0, 's'},
+        {"resume", no_argument, 0, 'r'},
+        {"force", no_argument, 0, 'f'},
+        {"quiet", no_argument, 0, 'q'},
+        {"no-pictures", no_argument, 0, 'n'},
         {0, 0, 0, 0},
     };
     int64_t number;
@@ -145,8 +149,9 @@ static void warn_of_overlap(run *r)
     const qn_ledger *l = &r->world->ledger;
     if (r->warned || l->deepest <= QN_OVERLAP_WARN) return;
     r->warned = true;
-    const char *line = "an overlap of %.1f %% of the radius at %.4g s: the materials are soft for such "
-                       "impacts (usual is below %g %%)";
+    const char *line =
+        "an overlap of %.1f %% of the radius at %.4g s: the materials are soft for such "
+        "impacts (usual is below %g %%)";
     double time = (double)l->deepest_step * r->world->dt;
     progress_break(&r->progress);
     fputs("warning: ", stderr);
@@ -181,16 +186,33 @@ static qn_status go(run *r, int64_t end)
         snprintf(sentence, sizeof sentence, "%s", qn_error());
         if (qn_recorder_fail(&r->recorder, r->world, &r->measure) != QN_OK)
             fprintf(stderr, "quern run: the failed state could not be kept: %s\n", qn_error());
-        return qn_fail(QN_UNSTABLE, "%s. The state is in %s/failed_%012lld.h5, the last good "
-                       "checkpoint is kept", sentence, r->recorder.folder.path,
-                       (long long)r->world->step);
+        return qn_fail(QN_UNSTABLE,
+                       "%s. The state is in %s/failed_%012lld.h5, the last good "
+                       "checkpoint is kept",
+                       sentence, r->recorder.folder.path, (long long)r->world->step);
     }
     QN_TRY(status);
     QN_TRY(qn_recorder_finish(&r->recorder, r->world, &r->measure, r->world->step >= end));
     if (r->world->step >= end) return QN_OK;
     progress_break(&r->progress);
-    return qn_fail(QN_INTERRUPTED, "stopped at %g s (step %lld) with a checkpoint; go on with "
-                   "--resume", qn_world_time(r->world), (long long)r->world->step);
+    return qn_fail(QN_INTERRUPTED,
+                   "stopped at %g s (step %lld) with a checkpoint; go on with "
+                   "--resume",
+                   qn_world_time(r->world), (long long)r->world->step);
+}
+
+// A run can only go forward. Looked at before the folder is opened, which cuts what it will record anew.
+static qn_status check_not_past(const char *folder, int64_t end)
+{
+    char path[QN_FILE_NAME_MAX];
+    int64_t *steps, newest = 0;
+    int count;
+    QN_TRY(qn_checkpoint_list(qn_path_join(path, folder, "checkpoints"), &steps, &count));
+    if (count > 0) newest = steps[0];
+    free(steps);
+    if (newest <= end) return QN_OK;
+    return qn_fail(QN_INPUT, "the run in %s is at step %lld already, past the end asked for (%lld)",
+                   folder, (long long)newest, (long long)end);
 }
 
 static qn_status record(run *r, const options *o)
@@ -199,13 +221,11 @@ static qn_status record(run *r, const options *o)
     int64_t end = qn_span_steps(r->world, r->world->def.end);
     if (end == INT64_MAX)
         return qn_fail(QN_INPUT, "the end of the run never comes: the drum does not turn so far");
+    if (o->mode == QN_RESUME) QN_TRY(check_not_past(folder, end));
     QN_TRY(qn_step_begin(r->world));
     QN_TRY(qn_recorder_open(&r->recorder, folder, o->mode, r->text, r->resolved, r->world,
                             &r->measure));
     if (r->recorder.note[0]) fprintf(stderr, "%s\n", r->recorder.note);
-    if (r->world->step > end)
-        return qn_fail(QN_INPUT, "the run in %s is at step %lld already, past the end asked for (%lld)",
-                       folder, (long long)r->world->step, (long long)end);
     if (!o->quiet)
         fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,
                 r->world->count, (long long)end, r->world->dt, r->world->threads, folder);

@@ -28,7 +28,7 @@ typedef enum qn_status {
 #define X(NAME, exit, text) QN_##NAME,
     QN_STATUS_LIST(X)
 #undef X
-    QN_STATUS_COUNT
+        QN_STATUS_COUNT
 } qn_status;
 
 #if defined(__GNUC__)

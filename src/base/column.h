@@ -10,9 +10,9 @@ typedef enum qn_type { QN_INT32, QN_INT64, QN_FLOAT, QN_DOUBLE } qn_type;
 typedef struct qn_column {
     const char *name, *unit, *meaning;  // not owned
     qn_type type;
-    int width;      // 1   numbers per row
-    int64_t rows;   // 1
-    void *data;     //     rows x width numbers; not owned, written to on reading back
+    int width;     // 1   numbers per row
+    int64_t rows;  // 1
+    void *data;    //     rows x width numbers; not owned, written to on reading back
 } qn_column;
 
 #endif

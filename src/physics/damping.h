@@ -40,8 +40,10 @@ static inline double qn_clipped_damping_ratio(double e)
     while (qn_clipped_restitution(high) > e && high < 1e30) high *= 2;
     for (int i = 0; i < 200; i++) {
         double middle = (low + high) / 2;
-        if (qn_clipped_restitution(middle) > e) low = middle;
-        else high = middle;
+        if (qn_clipped_restitution(middle) > e)
+            low = middle;
+        else
+            high = middle;
     }
     return (low + high) / 2;
 }

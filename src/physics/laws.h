@@ -28,7 +28,7 @@ typedef enum qn_law {
 #define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) QN_LAW_##NAME,
     QN_LAWS(L)
 #undef L
-    QN_LAW_COUNT
+        QN_LAW_COUNT
 } qn_law;
 
 /// The coefficients of a pair under a law. Host, once per pair of classes.
@@ -48,8 +48,7 @@ static inline qn_pair qn_law_pair(qn_law law, const qn_sides *s)
     }
     double inverse_inertia = 0;  // 1/(kg m2)   of a solid sphere, 2/5 m R^2
     for (int i = 0; i < 2; i++)
-        if (!s->fixed[i])
-            inverse_inertia += 1 / (0.4 * s->mass[i] * s->radius[i] * s->radius[i]);
+        if (!s->fixed[i]) inverse_inertia += 1 / (0.4 * s->mass[i] * s->radius[i] * s->radius[i]);
     p.friction = s->friction;
     p.floor = s->clip ? 0 : -INFINITY;
     p.rolling_arm = s->rolling_friction * qn_effective_radius(s);

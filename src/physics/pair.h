@@ -29,8 +29,8 @@ typedef struct qn_sides {
 typedef struct qn_pair {
     double normal_stiffness, normal_damping;
     double tangential_stiffness, tangential_damping;
-    double friction;       // 1
-    double floor;          // N      least normal force: 0, or minus infinity where attraction is let be
+    double friction;  // 1
+    double floor;     // N      least normal force: 0, or minus infinity where attraction is let be
     double rolling_arm;    // m      mu_r R*: rolling torque per newton
     double rolling_limit;  // kg m2/s  torque per rad/s that would stop the rolling within one step
     double depth_scale;    // 1      what the law calls overlap, in true overlaps
@@ -54,8 +54,7 @@ QN_FN double qn_effective_mass(const qn_sides *s)
 QN_FN double qn_effective_young(const qn_sides *s)
 {
     double compliance = 0;
-    for (int i = 0; i < 2; i++)
-        compliance += (1 - s->poisson[i] * s->poisson[i]) / s->young[i];
+    for (int i = 0; i < 2; i++) compliance += (1 - s->poisson[i] * s->poisson[i]) / s->young[i];
     return 1 / compliance;
 }
 

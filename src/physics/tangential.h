@@ -15,11 +15,11 @@
 #include "physics/vec3.h"
 
 typedef struct qn_tangential {
-    qn_vec3 force;         // N   on side a
-    qn_vec3 slip;          // m   displacement kept for the next step
-    double energy;         // J   stored in the spring
-    double lost_dashpot;   // J   during this step
-    double lost_sliding;   // J   during this step
+    qn_vec3 force;        // N   on side a
+    qn_vec3 slip;         // m   displacement kept for the next step
+    double energy;        // J   stored in the spring
+    double lost_dashpot;  // J   during this step
+    double lost_sliding;  // J   during this step
 } qn_tangential;
 
 /// The displacement carried into the new contact plane with its length kept, and turned about the

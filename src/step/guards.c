@@ -79,11 +79,12 @@ qn_status qn_guard_speed(const qn_world *w, double limit)
     if (which < 0) return QN_OK;
     const qn_place *p = &w->place[which];
     double speed = qn_norm(w->motion[which].velocity);
-    return qn_fail(QN_UNSTABLE,
-                   "particle %lld %s (%g m/s; a particle may move a fifth of the smallest radius in "
-                   "one step, %g m/s) at (%g, %g, %g) m, at %g s (step %lld): the time step (%g s) "
-                   "is too long or a contact has blown up",
-                   (long long)w->id[which],
-                   isfinite(speed) ? "is too fast" : "has a speed that is not a number", speed, limit,
-                   p->x, p->y, p->z, qn_world_time(w), (long long)w->step, w->dt);
+    return qn_fail(
+        QN_UNSTABLE,
+        "particle %lld %s (%g m/s; a particle may move a fifth of the smallest radius in "
+        "one step, %g m/s) at (%g, %g, %g) m, at %g s (step %lld): the time step (%g s) "
+        "is too long or a contact has blown up",
+        (long long)w->id[which],
+        isfinite(speed) ? "is too fast" : "has a speed that is not a number", speed, limit, p->x,
+        p->y, p->z, qn_world_time(w), (long long)w->step, w->dt);
 }

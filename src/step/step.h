@@ -18,7 +18,7 @@ QN_NODISCARD qn_status qn_step_begin(qn_world *world);
 /// Whether the evaluation of forces also moves the contacts' history on.
 typedef enum qn_mode {
     QN_COMMIT,  // as part of a step
-    QN_PROBE,   // only to look: the state stays as it is, so that a run can end here and go on later
+    QN_PROBE,  // only to look: the state stays as it is, so that a run can end here and go on later
 } qn_mode;
 
 /// Loads of the present step from contacts and walls. QN_UNSTABLE if a guard speaks (overlap, a value

@@ -15,7 +15,8 @@ static void contact(qn_law law, const qn_pair *p, const qn_reach *g, const qn_to
 }
 
 // The contact of a (lower id) and b, places already known to touch. A history that has been moved on
-// by this step's forces is not moved on again: no time passes.
+// by this step's forces is not moved on again: no time passes. The point is seen from a's place within
+// the period, as which image of a pair is listed depends on when the list was built.
 static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *point)
 {
     const qn_place *pa = &w->place[a], *pb = &w->place[b];
@@ -34,7 +35,7 @@ static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *poi
     if (w->committed) pair.dt = 0;
     contact(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
     double arm = w->classes[pa->klass].radius - 0.5 * r.depth;
-    *point = qn_madd(qn_v3(pa->x, pa->y, pa->z), -arm, r.normal);
+    *point = qn_madd(qn_world_position(w, pa->home), -arm, r.normal);
     return r;
 }
 
@@ -73,7 +74,7 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
     const qn_place *p = &w->place[which];
     const qn_motion *m = &w->motion[which];
     qn_pose pose = qn_walls_pose(&w->walls, qn_world_time(w));
-    qn_vec3 centre = qn_v3(p->x, p->y, p->z);
+    qn_vec3 centre = qn_world_position(w, which);
     double radius = w->classes[p->klass].radius;
     int count = qn_walls_touch(&w->walls, &pose, centre, radius, hits, ROOM);
     const qn_share *share = nb->shares;
@@ -86,8 +87,14 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
         qn_pair pair = w->wall_pairs[kind];
         qn_reach reach = {radius, radius, 0, 1, 0};
         qn_vec3 wall = qn_v3(-turn * hits[h].point.y, turn * hits[h].point.x, 0);
-        qn_touch t = {qn_sub(centre, hits[h].point), qn_sub(m->velocity, wall), m->kick, m->spin,
-                      {0, 0, turn},  m->spin_kick, {0, 0, 0}, {0, 0, 0}};
+        qn_touch t = {qn_sub(centre, hits[h].point),
+                      qn_sub(m->velocity, wall),
+                      m->kick,
+                      m->spin,
+                      {0, 0, turn},
+                      m->spin_kick,
+                      {0, 0, 0},
+                      {0, 0, 0}};
         qn_reply r;
         for (int k = 0; k < listed; k++)
             if (list[k].index == which && list[k].feature == hits[h].feature) t.slip = list[k].slip;
@@ -102,8 +109,7 @@ qn_status qn_step_visit(qn_world *w, int64_t id, qn_contact_visit *visit, void *
 {
     int which = 0;
     while (which < w->count && w->id[which] != id) which++;
-    if (which == w->count)
-        return qn_fail(QN_INPUT, "there is no particle %lld", (long long)id);
+    if (which == w->count) return qn_fail(QN_INPUT, "there is no particle %lld", (long long)id);
     visit_pairs(w, which, visit, user);
     return visit_walls(w, which, visit, user);
 }

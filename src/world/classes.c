@@ -75,7 +75,8 @@ bool qn_def_is_wall(const qn_def *def, int material)
 
 static qn_status no_law(const qn_def *def, int a, int b)
 {
-    return qn_fail(QN_INPUT, "contacts: no law for %s against %s, which can touch; add a line %s-%s",
+    return qn_fail(QN_INPUT,
+                   "contacts: no law for %s against %s, which can touch; add a line %s-%s",
                    def->materials[a].name, def->materials[b].name, def->materials[a].name,
                    def->materials[b].name);
 }

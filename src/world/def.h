@@ -39,12 +39,12 @@ typedef struct qn_material_def {
 typedef struct qn_contact_def {
     int material_a, material_b;
     qn_law law;
-    double friction;             // 1      Coulomb coefficient mu
-    double restitution;          // 1      ]0, 1]
-    double rolling_friction;     // 1      constant-torque coefficient mu_r; 0 for none
-    double stiffness;            // N/m    linear law only
-    double tangential_ratio;     // 1      linear law only: k_t / k_n
-    bool clip;                   //        no attraction before separation
+    double friction;          // 1      Coulomb coefficient mu
+    double restitution;       // 1      ]0, 1]
+    double rolling_friction;  // 1      constant-torque coefficient mu_r; 0 for none
+    double stiffness;         // N/m    linear law only
+    double tangential_ratio;  // 1      linear law only: k_t / k_n
+    bool clip;                //        no attraction before separation
 } qn_contact_def;
 
 /// One leg of a speed schedule: the speed goes linearly from `from` to `to` within `duration`.
@@ -59,13 +59,13 @@ typedef enum qn_ends { QN_ENDS_PERIODIC, QN_ENDS_FIXED, QN_ENDS_TURNING } qn_end
 typedef struct qn_drum_def {
     bool present;
     char name[QN_NAME_MAX];
-    double diameter, length;     // m      inside the shell
+    double diameter, length;  // m      inside the shell
     qn_ends ends;
-    int material, end_material;  //        indices of materials
-    int lifter_count;            // 1      0 for a smooth shell
+    int material, end_material;                     //        indices of materials
+    int lifter_count;                               // 1      0 for a smooth shell
     double lifter_height, lifter_top, lifter_base;  // m
-    int profile_count;           // 1      points of a profile that replaces shell and lifters; else 0
-    double *profile;             // m      2 x profile_count, owned; closed, inside to its left or right
+    int profile_count;  // 1      points of a profile that replaces shell and lifters; else 0
+    double *profile;    // m      2 x profile_count, owned; closed, inside to its left or right
     int leg_count;
     qn_leg legs[QN_LEGS_MAX];
 } qn_drum_def;
@@ -94,53 +94,53 @@ typedef enum qn_packing { QN_PACK_HCP, QN_PACK_GRID, QN_PACK_LIST } qn_packing;
 typedef struct qn_group_def {
     char name[QN_NAME_MAX];
     int material;
-    bool fixed;                        //        never moves, whatever touches it
-    int size_count;                    // 1      at least 1
-    double diameter[QN_SIZES_MAX];     // m
-    double fraction[QN_SIZES_MAX];     // 1      by number, adding up to 1
+    bool fixed;                     //        never moves, whatever touches it
+    int size_count;                 // 1      at least 1
+    double diameter[QN_SIZES_MAX];  // m
+    double fraction[QN_SIZES_MAX];  // 1      by number, adding up to 1
     qn_packing packing;
     qn_amount amount_kind;
-    double amount;                     // 1 | fraction of the drum's volume as a bed | kg
-    double padding;                    // 1      share of the radius left free around each particle
-    double jitter;                     // 1      share of that padding used for random displacement
-    int list_count;                    // 1      QN_PACK_LIST: the centres and, where given, sizes
-    double *list_position;             // m      3 x list_count, owned
-    double *list_velocity;             // m/s    3 x list_count, owned, or NULL for `velocity`
-    double *list_spin;                 // rad/s  3 x list_count, owned, or NULL for `spin`
-    int *list_size;                    // 1      index into diameter[], owned, or NULL for all 0
-    qn_vec3 velocity, spin;            // m/s, rad/s   of every particle at the start
+    double amount;           // 1 | fraction of the drum's volume as a bed | kg
+    double padding;          // 1      share of the radius left free around each particle
+    double jitter;           // 1      share of that padding used for random displacement
+    int list_count;          // 1      QN_PACK_LIST: the centres and, where given, sizes
+    double *list_position;   // m      3 x list_count, owned
+    double *list_velocity;   // m/s    3 x list_count, owned, or NULL for `velocity`
+    double *list_spin;       // rad/s  3 x list_count, owned, or NULL for `spin`
+    int *list_size;          // 1      index into diameter[], owned, or NULL for all 0
+    qn_vec3 velocity, spin;  // m/s, rad/s   of every particle at the start
 } qn_group_def;
 
 /// What is observed while running.
 typedef struct qn_measure_def {
-    qn_span series_every;               // between rows of the time series
-    qn_span fields_every;               // between samples of the voxel fields
+    qn_span series_every;  // between rows of the time series
+    qn_span fields_every;  // between samples of the voxel fields
     qn_span fields_start, fields_duration;
-    int grid_count;                     // 1   voxel grids; 0 for none
-    double grid_cell[QN_GRIDS_MAX];     // 1   voxel side in x and y, in radii of the largest particle
-    int grid_layers[QN_GRIDS_MAX];      // 1   voxels along the axis
+    int grid_count;                  // 1   voxel grids; 0 for none
+    double grid_cell[QN_GRIDS_MAX];  // 1   voxel side in x and y, in radii of the largest particle
+    int grid_layers[QN_GRIDS_MAX];   // 1   voxels along the axis
     int traced_count;
-    int64_t traced[QN_TRACED_MAX];      // ids
+    int64_t traced[QN_TRACED_MAX];  // ids
     qn_span traces_every;
 } qn_measure_def;
 
 typedef struct qn_output_def {
     char directory[QN_PATH_MAX];
-    qn_span frames_every;        //     0 for none
-    double checkpoint_every;     // s   of wall time
-    int checkpoint_keep;         // 1
+    qn_span frames_every;     //     0 for none
+    double checkpoint_every;  // s   of wall time
+    int checkpoint_keep;      // 1
     bool pictures;
 } qn_output_def;
 
 typedef struct qn_def {
     char title[256];
-    qn_vec3 gravity;             // m/s2
+    qn_vec3 gravity;  // m/s2
     uint64_t seed;
-    qn_span end;                 //      of the run, from its start
-    double step;                 // s    0 for automatic
-    double rayleigh_fraction;    // 1    of the automatic step
-    double skin;                 // 1    Verlet skin in radii of the smallest particle; 0 for automatic
-    double bed_solidity;         // 1    solid share of a bed at rest, for `filling`
+    qn_span end;               //      of the run, from its start
+    double step;               // s    0 for automatic
+    double rayleigh_fraction;  // 1    of the automatic step
+    double skin;          // 1    Verlet skin in radii of the smallest particle; 0 for automatic
+    double bed_solidity;  // 1    solid share of a bed at rest, for `filling`
     int material_count, contact_count, plane_count, mesh_count, group_count;
     qn_material_def *materials;  //      these five owned
     qn_contact_def *contacts;

@@ -56,8 +56,7 @@ qn_status qn_neighbours_contacts(const qn_world *w, qn_contact **contacts, int64
     return QN_OK;
 }
 
-qn_status qn_neighbours_wall_contacts(const qn_world *w, qn_wall_contact **contacts,
-                                      int64_t *count)
+qn_status qn_neighbours_wall_contacts(const qn_world *w, qn_wall_contact **contacts, int64_t *count)
 {
     const qn_neighbours *nb = w->neighbours;
     const qn_sorter *sorter = nb->sorter;
@@ -120,8 +119,10 @@ static int index_of(const qn_world *w, int64_t id)
     while (low <= high) {
         int middle = (low + high) / 2;
         if (w->id[middle] == id) return middle;
-        if (w->id[middle] < id) low = middle + 1;
-        else high = middle - 1;
+        if (w->id[middle] < id)
+            low = middle + 1;
+        else
+            high = middle - 1;
     }
     return -1;
 }
@@ -134,7 +135,8 @@ static qn_status take_touches(qn_world *w, const qn_wall_contact *touches, int64
         s->touches[k] = touches[k];
         s->touches[k].index = index_of(w, touches[k].id);
         if (s->touches[k].index < 0)
-            return qn_fail(QN_INPUT, "the state has a wall contact of particle %lld, which it lacks",
+            return qn_fail(QN_INPUT,
+                           "the state has a wall contact of particle %lld, which it lacks",
                            (long long)touches[k].id);
     }
     s->touch_count = count;

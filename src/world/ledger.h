@@ -24,27 +24,30 @@
     C(ELASTIC_TANGENTIAL, elastic_tangential, "J", "stored in tangential springs")
 // clang-format on
 
+// clang-format off
 typedef enum qn_tally {
 #define C(NAME, name, unit, meaning) QN_TALLY_##NAME,
-    QN_LOSSES(C) QN_STORED(C)
+    QN_LOSSES(C)
+    QN_STORED(C)
 #undef C
     QN_TALLY_COUNT,
     QN_LOSS_COUNT = QN_TALLY_ELASTIC_NORMAL,
 } qn_tally;
+// clang-format on
 
 /// Energies and work of the run so far. A part is a piece of wall whose work is told separately
 /// (shell, each lifter, each end, each mesh; walls.h).
 typedef struct qn_ledger {
-    double lost[QN_LOSS_COUNT];     // J     up to step n - 1/2
-    double now[QN_TALLY_COUNT];     // J     this step's losses, and what is stored at step n
+    double lost[QN_LOSS_COUNT];  // J     up to step n - 1/2
+    double now[QN_TALLY_COUNT];  // J     this step's losses, and what is stored at step n
     int part_count;
-    double *work;                   // J     done by each part on the particles, up to n - 1/2; owned
-    double *impulse;                // N m s torque about the axis of each part on the particles, times
-                                    //       time, up to n - 1/2; owned
-    double *torque_now;             // N m   at step n; owned
+    double *work;        // J     done by each part on the particles, up to n - 1/2; owned
+    double *impulse;     // N m s torque about the axis of each part on the particles, times
+                         //       time, up to n - 1/2; owned
+    double *torque_now;  // N m   at step n; owned
     int64_t contacts_now, wall_contacts_now;  // touching at step n
-    double deepest_now;             // 1     largest overlap at step n, in radii of the smaller sphere
-    double deepest;                 // 1     largest overlap so far
+    double deepest_now;  // 1     largest overlap at step n, in radii of the smaller sphere
+    double deepest;      // 1     largest overlap so far
     int64_t deepest_step;
 } qn_ledger;
 

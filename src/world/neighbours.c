@@ -66,8 +66,8 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
         int64_t k = share->pair_count++;
         share->partner[k] = (uint32_t)j << 1 | lower;
         share->slip[k] = qn_v3(0, 0, 0);
-        share->touching[k] = qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home],
-                                          &share->slip[k]);
+        share->touching[k] =
+            qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home], &share->slip[k]);
     }
 }
 
@@ -216,8 +216,7 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     QN_TRY(qn_sort_particles(s, w));
     QN_TRY(qn_sort_images(s, w, cell, &nb->image_count));
     for (int64_t k = 0; k < s->touch_count; k++) s->touches[k].index = s->to[s->touches[k].index];
-    if (s->touch_count > 0)
-        qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);
+    if (s->touch_count > 0) qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);
     for (int i = 0; i < w->count; i++)
         nb->anchor[i] = (qn_anchor){w->place[i].x, w->place[i].y, w->place[i].z};
     QN_TRY(list_all(w));

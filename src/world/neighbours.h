@@ -19,16 +19,16 @@
 
 /// What one thread owns: a range of particles and all pairs whose first index lies in it.
 typedef struct qn_share {
-    int first, last;             //    particles [first, last)
+    int first, last;  //    particles [first, last)
     int64_t pair_count, pair_room;
-    int64_t *row;                //    last - first + 1 offsets into the pairs; owned
+    int64_t *row;  //    last - first + 1 offsets into the pairs; owned
     int64_t row_room;
-    uint32_t *partner;           //    index of the other << 1 | whether it has the lower id; owned
-    unsigned char *touching;     //    whether the pair touched at the last step; owned
-    qn_vec3 *slip;               // m  history of a touching pair, acting on the lower id; owned
-    qn_load *spill;              //    loads of particles outside the range, by index; owned
+    uint32_t *partner;        //    index of the other << 1 | whether it has the lower id; owned
+    unsigned char *touching;  //    whether the pair touched at the last step; owned
+    qn_vec3 *slip;            // m  history of a touching pair, acting on the lower id; owned
+    qn_load *spill;           //    loads of particles outside the range, by index; owned
     int64_t spill_room;
-    int *foreign;                //    indices that `spill` is used for; owned
+    int *foreign;  //    indices that `spill` is used for; owned
     int foreign_count;
     int64_t foreign_room;
     qn_wall_contact *walls, *walls_next;  // of the last step and of this one, by index; owned
@@ -43,8 +43,8 @@ typedef struct qn_anchor {
 } qn_anchor;
 
 struct qn_neighbours {
-    double skin;               // m
-    bool stale;                //     to be rebuilt before it is used again
+    double skin;  // m
+    bool stale;   //     to be rebuilt before it is used again
     int64_t rebuilds;
     int share_count;
     qn_share *shares;          //     owned

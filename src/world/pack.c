@@ -12,7 +12,7 @@ typedef struct lattice {
     double pad;         // m   padded radius of the largest particle
     bool cubic;
     int64_t count, room;
-    qn_vec3 *sites;     //     owned, bottom first
+    qn_vec3 *sites;  //     owned, bottom first
 } lattice;
 
 enum { STREAM_DEAL = 1, STREAM_JITTER = 2 };
@@ -165,8 +165,8 @@ static qn_status place_lists(const qn_def *def, const qn_class *classes, const q
                 s.velocity = qn_v3(g->list_velocity[3 * i], g->list_velocity[3 * i + 1],
                                    g->list_velocity[3 * i + 2]);
             if (g->list_spin)
-                s.spin = qn_v3(g->list_spin[3 * i], g->list_spin[3 * i + 1],
-                               g->list_spin[3 * i + 2]);
+                s.spin =
+                    qn_v3(g->list_spin[3 * i], g->list_spin[3 * i + 1], g->list_spin[3 * i + 2]);
             double clear = qn_walls_clearance(walls, &pose, s.position);
             double radius = classes[s.klass].radius;
             if (!g->fixed && clear < radius * (1 - 0.01))
@@ -222,7 +222,8 @@ static qn_status pack_all(const qn_def *def, const qn_class *classes, const qn_w
     for (int k = 0; k < def->group_count; k++)
         if (def->groups[k].packing == QN_PACK_LIST) listed += def->groups[k].list_count;
     if (total + listed < 1)
-        return qn_fail(QN_INPUT, "particles: there are none; give count, filling, mass, at or file");
+        return qn_fail(QN_INPUT,
+                       "particles: there are none; give count, filling, mass, at or file");
     if (total + listed > INT32_MAX / 4)
         return qn_fail(QN_INPUT, "particles: %lld are too many, at most %d fit one machine",
                        (long long)(total + listed), INT32_MAX / 4);
@@ -233,10 +234,9 @@ static qn_status pack_all(const qn_def *def, const qn_class *classes, const qn_w
     QN_TRY(lat->cubic ? fill_cubic(lat) : fill_hcp(lat));
     keep_clear(lat, walls, classes, *seedlings, *count);
     if (lat->count < total)
-        return qn_fail(QN_INPUT,
-                       "particles: %lld do not fit, at most %lld do (%s, padded radius %g m)",
-                       (long long)total, (long long)lat->count, lat->cubic ? "grid" : "hcp",
-                       lat->pad);
+        return qn_fail(
+            QN_INPUT, "particles: %lld do not fit, at most %lld do (%s, padded radius %g m)",
+            (long long)total, (long long)lat->count, lat->cubic ? "grid" : "hcp", lat->pad);
     return place_packed(def, classes, lat, group_wanted, total, *seedlings, count);
 }
 

@@ -13,31 +13,31 @@
 typedef struct qn_grid {
     double low[3], inverse_cell;  // m, 1/m
     int cells[3];
-    uint32_t *code[3];            //  owned; Morton bits of each coordinate: a cell's key is their sum
+    uint32_t *code[3];  //  owned; Morton bits of each coordinate: a cell's key is their sum
     int64_t code_room[3];
-    int64_t keys;                 //  1 + the largest key
+    int64_t keys;  //  1 + the largest key
 } qn_grid;
 
 typedef struct qn_sorter {
     qn_grid grid;
     int32_t *start, *image_start;  //  first particle (image) of each key, and one past; owned
     int64_t start_room, image_start_room;
-    uint32_t *key;                 //  of each particle; owned
+    uint32_t *key;  //  of each particle; owned
     int64_t key_room;
-    int32_t *from;                 //  old index of each new one; owned
-    int32_t *to;                   //  new index of each old one; owned
+    int32_t *from;  //  old index of each new one; owned
+    int32_t *to;    //  new index of each old one; owned
     int64_t from_room, to_room;
-    qn_place *place, *images;      //  owned
-    qn_motion *motion;             //  owned
-    int64_t *id;                   //  owned
+    qn_place *place, *images;  //  owned
+    qn_motion *motion;         //  owned
+    int64_t *id;               //  owned
     int64_t room, image_room;
-    qn_contact *carried;           //  history to carry over, in rows by the old index of the lower id
-    int64_t *carried_row;          //  owned, both
+    qn_contact *carried;   //  history to carry over, in rows by the old index of the lower id
+    int64_t *carried_row;  //  owned, both
     int64_t carried_room, carried_row_room;
-    qn_contact *gathered;          //  the same on the way there, and the index of each lower id
-    int32_t *gathered_low;         //  owned, both
+    qn_contact *gathered;   //  the same on the way there, and the index of each lower id
+    int32_t *gathered_low;  //  owned, both
     int64_t gathered_room, gathered_low_room;
-    qn_wall_contact *touches;      //  wall contacts to carry over; owned
+    qn_wall_contact *touches;  //  wall contacts to carry over; owned
     int64_t touch_count, touch_room;
 } qn_sorter;
 

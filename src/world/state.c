@@ -15,7 +15,7 @@
 static qn_status allocate(qn_state *s)
 {
     int64_t rows;
-#define F(type, name, width, unit, meaning) QN_TRY(QN_ALLOCATE(s->name, rows * (width)));
+#define F(type, name, width, unit, meaning) QN_TRY(QN_ALLOCATE(s->name, rows *(width)));
 #define T(FIELDS, number) \
     rows = s->number;     \
     FIELDS(F)
@@ -52,11 +52,11 @@ uint64_t qn_state_hash(const qn_state *s)
     uint64_t hash = qn_hash(QN_HASH_START, &s->step, sizeof s->step);
 #define F(type, name, width, unit, meaning) \
     hash = qn_hash(hash, s->name, (size_t)rows * (width) * sizeof(type));
-#define T(FIELDS, number)                            \
-    {                                                \
-        int64_t rows = s->number;                    \
-        hash = qn_hash(hash, &rows, sizeof rows);    \
-        FIELDS(F)                                    \
+#define T(FIELDS, number)                         \
+    {                                             \
+        int64_t rows = s->number;                 \
+        hash = qn_hash(hash, &rows, sizeof rows); \
+        FIELDS(F)                                 \
     }
     QN_STATE_TABLES(T)
 #undef T
@@ -186,8 +186,8 @@ qn_status qn_world_import(qn_world *w, const qn_state *s)
                                            take(s->wall_slip, k), take(s->wall_normal, k)};
         w->step = s->step;
         w->started = true;
-        status = qn_neighbours_restore(w, contacts, s->contact_count, touches,
-                                       s->wall_contact_count);
+        status =
+            qn_neighbours_restore(w, contacts, s->contact_count, touches, s->wall_contact_count);
     }
     free(contacts);
     free(touches);

@@ -23,8 +23,8 @@ static double impact_speed(const qn_def *def)
     double g = qn_norm(def->gravity), fastest = 0, drop = 0;
     if (def->drum.present) {
         for (int i = 0; i < def->drum.leg_count; i++)
-            fastest = qn_max(fastest, qn_max(fabs(def->drum.legs[i].from),
-                                             fabs(def->drum.legs[i].to)));
+            fastest =
+                qn_max(fastest, qn_max(fabs(def->drum.legs[i].from), fabs(def->drum.legs[i].to)));
         fastest *= def->drum.diameter / 2;
         drop = def->drum.diameter;
     }
@@ -76,11 +76,10 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
     for (int a = 0; a < class_count; a++) {
         const qn_class *c = &classes[a];
         if (c->inverse_mass > 0)
-            t.rayleigh = qn_min(t.rayleigh,
-                                qn_rayleigh_time(&def->materials[c->material], c->radius));
+            t.rayleigh =
+                qn_min(t.rayleigh, qn_rayleigh_time(&def->materials[c->material], c->radius));
         for (int b = 0; b < class_count; b++) {
-            const qn_contact_def *contact =
-                qn_def_contact(def, c->material, classes[b].material);
+            const qn_contact_def *contact = qn_def_contact(def, c->material, classes[b].material);
             qn_sides sides;
             if (!contact) continue;
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);

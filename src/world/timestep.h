@@ -19,11 +19,11 @@
 #define QN_STEPS_PER_CONTACT 40.0
 
 typedef struct qn_timestep {
-    double impact_speed;   // m/s  fastest impact to expect
-    double rayleigh;       // s    shortest over the classes
-    double contact;        // s    shortest over the pairs, at the impact speed
+    double impact_speed;     // m/s  fastest impact to expect
+    double rayleigh;         // s    shortest over the classes
+    double contact;          // s    shortest over the pairs, at the impact speed
     double largest_overlap;  // 1  at the impact speed, in radii of the smaller sphere
-    double suggested;      // s
+    double suggested;        // s
 } qn_timestep;
 
 /// Rayleigh time (s) of a sphere of radius (m) and material.

@@ -19,11 +19,11 @@
 
 /// Particles of one material and size.
 typedef struct qn_class {
-    int group, size;           //        in the definition
+    int group, size;  //        in the definition
     int material;
-    double radius, mass, inertia;      // m, kg, kg m2
+    double radius, mass, inertia;          // m, kg, kg m2
     double inverse_mass, inverse_inertia;  // 0 where fixed
-    double force_unit, torque_unit;    // N, N m   quantum of the integer sums, powers of two
+    double force_unit, torque_unit;        // N, N m   quantum of the integer sums, powers of two
 } qn_class;
 
 /// Where a particle is: what the distance check reads. 32 bytes.
@@ -35,8 +35,8 @@ typedef struct qn_place {
 
 /// How a particle moves. 96 bytes.
 typedef struct qn_motion {
-    qn_vec3 velocity, spin;            // m/s, rad/s   at step n - 1/2
-    qn_vec3 kick, spin_kick;           // m/s, rad/s   a(n-1) dt/2: predicts step n
+    qn_vec3 velocity, spin;   // m/s, rad/s   at step n - 1/2
+    qn_vec3 kick, spin_kick;  // m/s, rad/s   a(n-1) dt/2: predicts step n
 } qn_motion;
 
 /// What acts on a particle, in quanta of its class.
@@ -52,46 +52,46 @@ typedef struct qn_contact {
 
 /// A particle touching a wall feature, as it is kept between steps and on file.
 typedef struct qn_wall_contact {
-    int64_t id;         //    of the particle
-    int32_t feature;    //    walls.h
-    int32_t index;      //    present index of the particle
-    qn_vec3 slip;       // m
-    qn_vec3 normal;     // 1  from the wall to the particle, at the last step
+    int64_t id;       //    of the particle
+    int32_t feature;  //    walls.h
+    int32_t index;    //    present index of the particle
+    qn_vec3 slip;     // m
+    qn_vec3 normal;   // 1  from the wall to the particle, at the last step
 } qn_wall_contact;
 
 typedef struct qn_neighbours qn_neighbours;  // world/neighbours.h
 
 typedef struct qn_world {
     // Fixed for the run.
-    qn_def def;                //       owned copy of the small things; its arrays moved here
-    double dt;                 // s
-    qn_vec3 gravity;           // m/s2
-    double period;             // m     length of the periodic axis z; 0 for none
-    double lattice;            // m     positions along a periodic axis are multiples of lattice
+    qn_def def;       //       owned copy of the small things; its arrays moved here
+    double dt;        // s
+    qn_vec3 gravity;  // m/s2
+    double period;    // m     length of the periodic axis z; 0 for none
+    double lattice;   // m     positions along a periodic axis are multiples of lattice
     int class_count, surface_count;
-    qn_class *classes;         //       owned
-    qn_law *laws;              //       owned; [class_a * class_count + class_b]
-    qn_pair *pairs;            //       owned; as laws
-    qn_reach *reaches;         //       owned; as laws
-    qn_law *wall_laws;         //       owned; [surface * class_count + class]
-    qn_pair *wall_pairs;       //       owned; as wall_laws
-    double energy_unit;        // J     quantum of the energy sums, a power of two
+    qn_class *classes;                       //       owned
+    qn_law *laws;                            //       owned; [class_a * class_count + class_b]
+    qn_pair *pairs;                          //       owned; as laws
+    qn_reach *reaches;                       //       owned; as laws
+    qn_law *wall_laws;                       //       owned; [surface * class_count + class]
+    qn_pair *wall_pairs;                     //       owned; as wall_laws
+    double energy_unit;                      // J     quantum of the energy sums, a power of two
     double largest_radius, smallest_radius;  // m
-    qn_walls walls;            //       owned
+    qn_walls walls;                          //       owned
 
     // The state at step `step`.
     int64_t step;
-    int count;                 //       particles
-    int64_t room;              //       capacity of the arrays, images included
-    qn_place *place;           //       owned; count, then periodic images
-    qn_motion *motion;         //       owned
-    qn_load *load;             //       owned
-    int64_t *id;               //       owned; from 1, never reused
-    qn_ledger ledger;          //       owned; energies lost and work done since step 0
-    qn_neighbours *neighbours; //       owned; the pair list, with the contacts' history
+    int count;                  //       particles
+    int64_t room;               //       capacity of the arrays, images included
+    qn_place *place;            //       owned; count, then periodic images
+    qn_motion *motion;          //       owned
+    qn_load *load;              //       owned
+    int64_t *id;                //       owned; from 1, never reused
+    qn_ledger ledger;           //       owned; energies lost and work done since step 0
+    qn_neighbours *neighbours;  //       owned; the pair list, with the contacts' history
     int threads;
-    bool started;              //       velocities are half a step back (qn_step_begin)
-    bool committed;            //       this step's forces have moved the histories on
+    bool started;    //       velocities are half a step back (qn_step_begin)
+    bool committed;  //       this step's forces have moved the histories on
 } qn_world;
 
 /// Builds the world a definition describes: derives classes and pairs, packs the particles. Takes over the definition's arrays and leaves it empty.

@@ -10,7 +10,8 @@ static const char *const names[] = {
 #undef L
 };
 
-static void evaluate(qn_law law, const qn_pair *p, const qn_reach *g, const qn_touch *t, qn_reply *r)
+static void evaluate(qn_law law, const qn_pair *p, const qn_reach *g, const qn_touch *t,
+                     qn_reply *r)
 {
     switch (law) {
 #define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
@@ -25,8 +26,19 @@ static void evaluate(qn_law law, const qn_pair *p, const qn_reach *g, const qn_t
 static qn_sides ball_and_wall(double restitution, bool clip)
 {
     double mass = 4.0 / 3 * QN_PI * 0.0015 * 0.0015 * 0.0015 * 2500;
-    qn_sides s = {{64e6, 64e6}, {0.23, 0.23}, {0.0015, INFINITY}, {mass, INFINITY},
-                  {false, true}, true, 0.3, restitution, 0.02, 1e4, 2.0 / 7, 1e-7, clip};
+    qn_sides s = {{64e6, 64e6},
+                  {0.23, 0.23},
+                  {0.0015, INFINITY},
+                  {mass, INFINITY},
+                  {false, true},
+                  true,
+                  0.3,
+                  restitution,
+                  0.02,
+                  1e4,
+                  2.0 / 7,
+                  1e-7,
+                  clip};
     return s;
 }
 
@@ -117,10 +129,32 @@ static void the_thesis_coefficients_are_those_of_its_table(void)
     // Fig 5.23, to its printed digits (thesis convention: E not E*, dt folded into the tangential one).
     double mass = 4.0 / 3 * QN_PI * 0.0015 * 0.0015 * 0.0015 * 2500;
     double glass = 2 * 1.23 * 26e9, liner = 2 * 1.42 * 0.31e9;
-    qn_sides pp = {{glass, glass}, {0.23, 0.23}, {0.0015, 0.0015}, {mass, mass}, {false, false}, false,
-                   0.154, 0.66, 0, 0, 0, 1e-6, false};
-    qn_sides ps = {{glass, liner}, {0.23, 0.42}, {0.0015, INFINITY}, {mass, INFINITY}, {false, true},
-                   true, 0.3, 0.55, 0, 0, 0, 1e-6, false};
+    qn_sides pp = {{glass, glass},
+                   {0.23, 0.23},
+                   {0.0015, 0.0015},
+                   {mass, mass},
+                   {false, false},
+                   false,
+                   0.154,
+                   0.66,
+                   0,
+                   0,
+                   0,
+                   1e-6,
+                   false};
+    qn_sides ps = {{glass, liner},
+                   {0.23, 0.42},
+                   {0.0015, INFINITY},
+                   {mass, INFINITY},
+                   {false, true},
+                   true,
+                   0.3,
+                   0.55,
+                   0,
+                   0,
+                   0,
+                   1e-6,
+                   false};
     qn_pair p = qn_law_pair(QN_LAW_THESIS, &pp);
     CHECK_NEAR(p.normal_stiffness, 2335488985, 1);
     CHECK_NEAR(p.normal_damping, 59.56369, 1e-5);
@@ -154,14 +188,37 @@ static void every_law_is_the_same_seen_from_the_other_side(void)
 {
     for (int law = 0; law < QN_LAW_COUNT; law++) {
         double mass = 3e-5;
-        qn_sides s = {{64e6, 64e6}, {0.23, 0.23}, {0.0015, 0.0015}, {mass, mass}, {false, false}, false,
-                      0.3, 0.6, 0.02, 1e4, 2.0 / 7, 1e-6, true};
+        qn_sides s = {{64e6, 64e6},
+                      {0.23, 0.23},
+                      {0.0015, 0.0015},
+                      {mass, mass},
+                      {false, false},
+                      false,
+                      0.3,
+                      0.6,
+                      0.02,
+                      1e4,
+                      2.0 / 7,
+                      1e-6,
+                      true};
         qn_pair p = qn_law_pair((qn_law)law, &s);
         qn_reach g = {0.003, 0.0015, 0.0015, 0.5, 0.5};
-        qn_touch t = {{0.0011, -0.0024, 0.001}, {0.3, 0.2, -0.1}, {1e-3, 0, 2e-3}, {5, 60, 7}, {-30, 2, 1},
-                      {0.1, 0, 0}, {0, 0.2, 0}, {1e-7, 2e-7, -1e-7}};
-        qn_touch u = {qn_scale(-1, t.between), qn_scale(-1, t.velocity), qn_scale(-1, t.kick), t.spin_b,
-                      t.spin_a, t.spin_kick_b, t.spin_kick_a, qn_scale(-1, t.slip)};
+        qn_touch t = {{0.0011, -0.0024, 0.001},
+                      {0.3, 0.2, -0.1},
+                      {1e-3, 0, 2e-3},
+                      {5, 60, 7},
+                      {-30, 2, 1},
+                      {0.1, 0, 0},
+                      {0, 0.2, 0},
+                      {1e-7, 2e-7, -1e-7}};
+        qn_touch u = {qn_scale(-1, t.between),
+                      qn_scale(-1, t.velocity),
+                      qn_scale(-1, t.kick),
+                      t.spin_b,
+                      t.spin_a,
+                      t.spin_kick_b,
+                      t.spin_kick_a,
+                      qn_scale(-1, t.slip)};
         qn_reply r, q;
         evaluate((qn_law)law, &p, &g, &t, &r);
         evaluate((qn_law)law, &p, &g, &u, &q);
@@ -181,7 +238,7 @@ static void a_jointly_spinning_pair_carries_its_loaded_contact_along(void)
 
 static void the_clipped_damping_ratios_are_the_published_ones(void)
 {
-    const double table[][2] = {{0.1, 1.24319}, {0.2, 0.73125}, {0.3, 0.49724}, {0.5, 0.25528},
+    const double table[][2] = {{0.1, 1.24319}, {0.2, 0.73125},  {0.3, 0.49724},   {0.5, 0.25528},
                                {0.7, 0.12221}, {0.9, 0.034265}, {0.98, 0.0064571}};
     for (int i = 0; i < 7; i++)
         CHECK_NEAR(qn_clipped_damping_ratio(table[i][0]), table[i][1], 6e-6);

@@ -105,8 +105,8 @@ static int64_t touching_by_brute_force(const qn_world *w)
             double x = w->place[i].x - w->place[j].x, y = w->place[i].y - w->place[j].y;
             double z = w->place[i].z - w->place[j].z;
             if (w->period > 0) z -= w->period * floor(z / w->period + 0.5);
-            double reach = w->classes[w->place[i].klass].radius
-                           + w->classes[w->place[j].klass].radius;
+            double reach =
+                w->classes[w->place[i].klass].radius + w->classes[w->place[j].klass].radius;
             n += x * x + y * y + z * z < reach * reach;
         }
     return n;

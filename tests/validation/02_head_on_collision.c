@@ -100,8 +100,8 @@ static void twenty_steps_keep_restitution_within_half_a_percent_on_average(void)
         double sum = 0;
         for (int k = 0; k < 16; k++) {
             outcome o;
-            qn_world *w = two_spheres(48e9, 0.2, 2800, qn_min(e, 1), true, 40.339e-6 / 20,
-                                      (k + 0.5) / 16);
+            qn_world *w =
+                two_spheres(48e9, 0.2, 2800, qn_min(e, 1), true, 40.339e-6 / 20, (k + 0.5) / 16);
             CHECK(w);
             CHECK_STATUS(collide(w, &o));
             sum += o.rebound / 16;

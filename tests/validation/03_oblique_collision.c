@@ -95,8 +95,9 @@ static void the_printed_table_of_sliding_impacts_comes_out(void)
 
 static void a_sphere_that_sticks_comes_near_the_measurements(void)
 {
-    const double table[][4] = {{5, .948, -19.3, 3.76},  {10, .687, -213, -1.56}, {15, .624, -378, -5.54},
-                               {20, .616, -511, -7.54}, {25, .634, -599, -7.54}, {30, .684, -617, -3.55}};
+    const double table[][4] = {{5, .948, -19.3, 3.76},  {10, .687, -213, -1.56},
+                               {15, .624, -378, -5.54}, {20, .616, -511, -7.54},
+                               {25, .634, -599, -7.54}, {30, .684, -617, -3.55}};
     for (int k = 0; k < 6; k++) {
         double th = table[k][0] * QN_PI / 180;
         qn_motion m;
@@ -111,7 +112,8 @@ static void a_sphere_that_sticks_comes_near_the_measurements(void)
 static void a_spinning_sphere_that_slides_reverses_its_surface_speed_by_x_less_one(void)
 {
     const double mu = 0.4, e = 0.5, v = 0.2, r = 0.1;
-    const double table[][2] = {{.176, -.820}, {.352, -.633}, {.551, -.445}, {.771, -.243}, {.969, -.028}};
+    const double table[][2] = {
+        {.176, -.820}, {.352, -.633}, {.551, -.445}, {.771, -.243}, {.969, -.028}};
     for (int k = 0; k < 5; k++) {
         double x = table[k][0], w = 3.5 * mu * (1 + e) * v / (x * r);
         qn_motion m;

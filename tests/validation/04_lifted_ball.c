@@ -12,27 +12,29 @@
 #include "check.h"
 #include "worlds.h"
 
-static const double D = 0.1, BALL = 0.006, HALF = 0.0005;  // m   HALF: of the lifter's width
+static const double D = 0.1, BALL = 0.006, SLACK = 2e-5;  // m
 
 // The ball rests against the lifter's face and the shell at the bottom, all turning at `speed`.
 static qn_world *carried(double speed)
 {
     qn_world *world = NULL;
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0, 0.3);
-    double r = (D - BALL) / 2 - 1e-6, side = HALF + BALL / 2 + 1e-6, down = sqrt(r * r - side * side);
+    double r = (D - BALL) / 2 - 1e-6, side = HALF + BALL / 2 + 1e-6,
+           down = sqrt(r * r - side * side);
     def.drum = (qn_drum_def){.present = true,
                              .name = "drum",
                              .diameter = D,
                              .length = 0.02,
                              .ends = QN_ENDS_PERIODIC,
                              .material = 1,
-                             .lifter_count = 1,
-                             .lifter_height = 0.006,
-                             .lifter_top = 2 * HALF,
-                             .lifter_base = 2 * HALF,
+                             .lifter_count = 40,
+                             .lifter_height = height,
+                             .lifter_top = base - 2 * height * sin(pitch / 2),
+                             .lifter_base = base,
                              .leg_count = 1};
     def.drum.legs[0] = (qn_leg){INFINITY, speed, speed};
-    add_ball(&def, BALL, qn_v3(side, -down, 0.01), qn_v3(speed * down, speed * side, 0));
+    double x = r * sin(pitch / 2), y = -r * cos(pitch / 2);
+    add_ball(&def, BALL, qn_v3(x, y, 0.01), qn_v3(-speed * y, speed * x, 0));
     def.step = 2e-5;
     if (qn_world_create(&def, 1, &world) != QN_OK) printf("  %s\n", qn_error());
     qn_def_free(&def);

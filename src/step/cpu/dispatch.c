@@ -32,10 +32,10 @@ static void choose(void)
 {
     const char *wanted = getenv("QUERN_ISA");
     bool found = false;
-#define I(name, supported)                                 \
-    if (!found && (supported)) {                           \
+#define I(name, supported)                                    \
+    if (!found && (supported)) {                              \
         chosen = #name, contacts = qn_kernel_contacts_##name; \
-        found = wanted && !strcmp(wanted, #name);          \
+        found = wanted && !strcmp(wanted, #name);             \
     }
     QN_ISAS(I)
 #undef I

@@ -14,12 +14,12 @@
 #define JOIN(a, b) JOIN_(a, b)
 
 #define GET(columns, l) qn_v3((columns).x[l], (columns).y[l], (columns).z[l])
-#define PUT(columns, l, v)             \
-    do {                               \
-        qn_vec3 put_ = (v);            \
-        (columns).x[l] = put_.x;       \
-        (columns).y[l] = put_.y;       \
-        (columns).z[l] = put_.z;       \
+#define PUT(columns, l, v)       \
+    do {                         \
+        qn_vec3 put_ = (v);      \
+        (columns).x[l] = put_.x; \
+        (columns).y[l] = put_.y; \
+        (columns).z[l] = put_.z; \
     } while (0)
 
 // block_NAME: eight contacts under one law, lane_NAME one of them. (A lane is a function of its own
@@ -109,8 +109,7 @@ static void tally(const qn_world *w, qn_tally_sums *sums, const block *b, int co
 {
     double rounder = 1.5 * 0x1p52 * w->energy_unit, deepest = sums->deepest * radius;
     for (int e = 0; e < QN_TALLY_COUNT; e++)
-        for (int l = 0; l < count; l++)
-            sums->energy[e][l] += (b->energy[e][l] + rounder) - rounder;
+        for (int l = 0; l < count; l++) sums->energy[e][l] += (b->energy[e][l] + rounder) - rounder;
     for (int l = 0; l < count; l++) deepest = qn_max(deepest, b->depth[l]);
     sums->deepest = deepest / radius;
 }
@@ -229,8 +228,8 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
     for (int l = 0; l < q->count; l++) {
         const qn_wall_hit *hit = &q->hit[l];
         qn_wall_contact *contact = &share->walls_next[q->slot[l]];
-        double torque = hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l]
-                        + b->rolling.z[l];
+        double torque =
+            hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l] + b->rolling.z[l];
         add_load(&w->load[q->a[l]], b, 0, l);
         share->sums->torque[hit->part] += (int64_t)(torque * per_torque);
         contact->slip = GET(b->next_slip, l);
@@ -276,8 +275,11 @@ static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, 
         QN_TRY(QN_RESERVE(share->walls_next, share->wall_next_room, share->wall_next_count + 1));
         int slot = share->wall_next_count++;
         share->walls_next[slot] =
-            (qn_wall_contact){w->id[i], hits[h].feature, i,
-                              wall_history(old, old_count, hits, count, h, centre), {0, 0, 0}};
+            (qn_wall_contact){w->id[i],
+                              hits[h].feature,
+                              i,
+                              wall_history(old, old_count, hits, count, h, centre),
+                              {0, 0, 0}};
         int kind = hits[h].surface * w->class_count + p->klass;
         queue *q = &work->walls[kind];
         q->a[q->count] = i;

@@ -17,7 +17,7 @@ typedef struct qn_tally_sums {
     double energy[QN_TALLY_COUNT][QN_LANES];  // J
     double deepest;                           // 1   in radii of the smaller sphere
     int64_t contacts, wall_contacts;
-    int64_t *torque;                          //     by part, in the world's quanta; lies behind the sums
+    int64_t *torque;  //     by part, in the world's quanta; lies behind the sums
 } qn_tally_sums;
 
 /// Allocates what a share's contacts are worked on in, once: two blocks that go with the share.

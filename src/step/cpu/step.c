@@ -156,7 +156,9 @@ qn_status qn_step_advance(qn_world *w)
         ledger->impulse[p] += impulse;
         if (w->walls.parts[p].turning) ledger->work[p] += impulse * speed;
     }
-#pragma omp parallel for schedule(static, 1) num_threads(nb->share_count) reduction(| : spent, unsound)
+#pragma omp parallel for schedule(static, 1) num_threads(nb->share_count) \
+    reduction(|                                                           \
+              : spent, unsound)
     for (int t = 0; t < nb->share_count; t++) {
         bool lost;
         spent |= move(w, nb->shares[t].first, nb->shares[t].last, &lost);
