@@ -201,14 +201,15 @@ static qn_status go(run *r, int64_t end)
                    qn_world_time(r->world), (long long)r->world->step);
 }
 
-// A run can only go forward. Looked at before the folder is opened, which cuts what it will record anew.
+// A run can only go forward. Looked at before the folder is opened, which cuts off what it will
+// record anew.
 static qn_status check_not_past(const char *folder, int64_t end)
 {
     char path[QN_FILE_NAME_MAX];
     int64_t *steps, newest = 0;
     int count;
-    QN_TRY(qn_checkpoint_list(qn_path_join(path, folder, "checkpoints"), &steps, &count));
-    if (count > 0) newest = steps[0];
+    qn_path_join(path, folder, "checkpoints");
+    if (qn_checkpoint_list(path, &steps, &count) == QN_OK && count > 0) newest = steps[0];
     free(steps);
     if (newest <= end) return QN_OK;
     return qn_fail(QN_INPUT, "the run in %s is at step %lld already, past the end asked for (%lld)",

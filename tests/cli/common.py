@@ -2,7 +2,8 @@
 """What the tests of the program share: running it, a small scene, comparing run folders.
 
 A test script declares its tests with @test("a sentence") and ends with main(). Each test gets an
-empty folder of its own and is passed when it returns. The first argument of a script is the path
+empty folder of its own, in memory where there is /dev/shm, as the many syncs of checkpoints can be
+very slow on a busy disk, and is passed when it returns. The first argument of a script is the path
 of the program; words after it pick the tests whose sentences hold them.
 """
 import hashlib
@@ -12,6 +13,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 import traceback
 
@@ -191,8 +193,9 @@ def check_tidy(folder):
 
 def main():
     passed = failed = skipped = 0
-    home = pathlib.Path.cwd() / (pathlib.Path(sys.argv[0]).stem + ".work")
-    shutil.rmtree(home, ignore_errors=True)
+    memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+    home = pathlib.Path(tempfile.mkdtemp(prefix="quern-" + pathlib.Path(sys.argv[0]).stem + "-",
+                                         dir=memory))
     for number, (sentence, function) in enumerate(_tests):
         if not all(word in sentence for word in sys.argv[2:]):
             continue
@@ -212,7 +215,6 @@ def main():
             verdict = "FAILED\n" + traceback.format_exc()
         print(f"{time.monotonic() - begun:6.2f} s  {sentence}: {verdict}", flush=True)
         os.chdir(home.parent)
-    if not failed:
-        shutil.rmtree(home, ignore_errors=True)
+    shutil.rmtree(home, ignore_errors=True)
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     sys.exit(1 if failed else SKIPPED if skipped and not passed else 0)

@@ -133,14 +133,14 @@ def resumed_in_vain():
 @test("a run that is past the asked end is refused and left alone")
 def past_the_end():
     scene = write("mill.yaml", MILL)
-    run(scene, "run", "--steps", 500).expect(0)
+    run(scene, "run", "--steps", 1700).expect(0)
     before = state_hash("run")
     rows = pathlib.Path("run/series.csv").read_text()
-    run(scene, "run", "--steps", 400, "--resume").expect(INPUT, "step 500", "400")
+    run(scene, "run", "--steps", 1699, "--resume").expect(INPUT, "step 1700", "1699")
     assert state_hash("run") == before
     assert pathlib.Path("run/series.csv").read_text() == rows, "series.csv has lost rows"
-    run(scene, "run", "--steps", 600, "--resume").expect(0)
-    run(scene, "whole", "--steps", 600).expect(0)
+    run(scene, "run", "--steps", 1800, "--resume").expect(0)
+    run(scene, "whole", "--steps", 1800).expect(0)
     check_same_recordings("whole", "run")
 
 

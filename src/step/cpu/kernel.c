@@ -107,11 +107,11 @@ static void add_load(qn_load *to, const block *b, int side, int l)
 // so large that no smaller bits survive, hence sums of integers.
 static void tally(const qn_world *w, qn_tally_sums *sums, const block *b, int count, double radius)
 {
-    double rounder = 1.5 * 0x1p52 * w->energy_unit, deepest = sums->deepest * radius;
+    double rounder = 1.5 * 0x1p52 * w->energy_unit, deepest = 0;
     for (int e = 0; e < QN_TALLY_COUNT; e++)
         for (int l = 0; l < count; l++) sums->energy[e][l] += (b->energy[e][l] + rounder) - rounder;
     for (int l = 0; l < count; l++) deepest = qn_max(deepest, b->depth[l]);
-    sums->deepest = deepest / radius;
+    sums->deepest = qn_max(sums->deepest, deepest / radius);
 }
 
 static qn_load *load_of(qn_world *w, qn_share *share, int home)

@@ -77,13 +77,15 @@ static void tally(qn_world *w)
     ledger->contacts_now = ledger->wall_contacts_now = 0;
     ledger->deepest_now = 0;
     memset(ledger->now, 0, sizeof ledger->now);
-    for (int p = 0; p < ledger->part_count; p++) ledger->torque_now[p] = 0;
+    for (int p = 0; p < ledger->part_count; p++) {
+        int64_t torque = 0;
+        for (int t = 0; t < nb->share_count; t++) torque += nb->shares[t].sums->torque[p];
+        ledger->torque_now[p] = unit * (double)torque;
+    }
     for (int t = 0; t < nb->share_count; t++) {
         const qn_tally_sums *sums = nb->shares[t].sums;
         for (int e = 0; e < QN_TALLY_COUNT; e++)
             for (int l = 0; l < QN_LANES; l++) ledger->now[e] += sums->energy[e][l];
-        for (int p = 0; p < ledger->part_count; p++)
-            ledger->torque_now[p] += unit * (double)sums->torque[p];
         ledger->contacts_now += sums->contacts;
         ledger->wall_contacts_now += sums->wall_contacts;
         ledger->deepest_now = qn_max(ledger->deepest_now, sums->deepest);

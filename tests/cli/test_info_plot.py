@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`quern info` and `quern plot` on the recordings of a short run."""
+import pathlib
+import shutil
+
+from common import INPUT, IO, MILL, Skip, changed, checkpoints, main, quern, run, test, tree, write
+
+SCENE = changed(MILL, ("end: 0.06 s", "end: 1800 steps"))
+CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1)) + """\
+f 1 2 4
+f 1 4 3
+"""
+
+
+@test("info tells what is in a run folder, a checkpoint, a frame, fields and series")
+def info():
+    scene = write("mill.yaml", SCENE)
+    run(scene, "out").expect(0)
+    before = tree(".")
+    text = quern("info", "out").expect(0).out
+    for part in ("checkpoint at step 1800", "--resume", "series.csv", "state_hash", "particles"):
+        assert part in text, text
+    text = quern("info", checkpoints("out")[-1]).expect(0).out
+    for part in ("1800", "particles/position", "890", "Small mill"):
+        assert part in text, text
+    text = quern("info", "out/frames/frame_000001.hdf").expect(0).out
+    for part in ("radius", "velocity", "890"):
+        assert part in text, text
+    text = quern("info", "out/fields.h5").expect(0).out
+    for part in ("grid_0", "voxels of 1.25 mm", "porosity"):
+        assert part in text, text
+    assert "kinetic" in quern("info", "out/series.h5").expect(0).out
+    assert tree(".") == before, "info has written something"
+
+
+@test("info tells what is in a mesh")
+def mesh():
+    text = quern("info", write("plate.obj", CUBE)).expect(0).out
+    assert "triangles    2" in text, text
+
+
+@test("info tells what it can't read")
+def not_readable():
+    pathlib.Path("empty").mkdir()
+    quern("info", "empty").expect(INPUT, "empty", "log.txt")
+    quern("info", "nothing").expect(IO, "nothing")
+    junk = quern("info", write("junk.h5", b"\x89HDF\r\n\x1a\n" + bytes(range(256))))
+    assert junk.code in (INPUT, IO) and "junk.h5" in junk.err, junk.err
+    quern("info").expect(INPUT, "usage: quern info")
+    quern("info", "a", "b").expect(INPUT, "usage: quern info")
+
+
+@test("plot draws pictures from a run, and run does so at its end unless told not to")
+def plot():
+    try:
+        import h5py, matplotlib, numpy  # noqa: F401, E401
+    except ImportError as missing:
+        raise Skip(missing)
+    scene = write("mill.yaml", changed(SCENE, ("pictures: no", "pictures: yes")))
+    run(scene, "out", "--no-pictures").expect(0)
+    assert not list(pathlib.Path("out").rglob("*.png"))
+    quern("plot", "out").expect(0)
+    pictures = sorted(p.name for p in pathlib.Path("out/pictures").glob("*.png"))
+    assert len(pictures) >= 6, pictures
+    for path in pathlib.Path("out/pictures").glob("*.png"):
+        assert path.read_bytes()[:8] == b"\x89PNG\r\n\x1a\n" and path.stat().st_size > 5000, path
+    shutil.rmtree("out/pictures")
+    run(scene, "out", "--resume").expect(0)
+    assert sorted(p.name for p in pathlib.Path("out/pictures").glob("*.png")) == pictures
+
+
+@test("plot tells what is not a run's folder")
+def plot_nothing():
+    pathlib.Path("empty").mkdir()
+    for what in ("empty", "nothing"):
+        done = quern("plot", what)
+        assert done.code != 0 and what in done.err, done.err
+        assert "Traceback" not in done.err, done.err
+
+
+main()

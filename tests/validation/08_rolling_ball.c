@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sliding ball comes to roll; a rolling ball comes to rest.
+//
+// Setup      A ball of 3 mm standing on a plane at its equilibrium depth: (a) thrown along it at u0 = 0.1
+//            m/s without spin, mu = 0.2, 0.5, 1; (b) rolling at v0 = 0.1 m/s with rolling friction.
+// Formula    (a) It slides for t = 2 u0/(7 mu g) and then rolls at u = w R = 5 u0/7.
+//            (b) It slows by (5/7) mu_r g and stops after v0^2 7/(10 mu_r g); sideways nothing happens.
+// Source     (a) MFIX-DEM verification, case DEM04 (Garg, Galvin, Li & Pannala 2012, NETL).
+//            (b) Newton's law with the torque mu_r R F of Ai et al. (2011), doi:10.1016/j.powtec.2010.09.030.
+// Tolerance  0.001 in speeds and distances: the arm is R less the overlap, 2.3e-4 of R, and the
+//            tangential spring swings about the rolling speed until its dashpot has calmed it. 0.005 in
+//            the time of sliding, whose end is smeared by that spring.
+#include "check.h"
+#include "worlds.h"
+
+static const double R = 0.0015, G = 9.81;  // m, m/s2
+
+static qn_world *standing(double friction, double rolling, double v, double spin)
+{
+    qn_world *world = NULL;
+    qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, friction, 0.5);
+    double mass = 4.0 / 3 * QN_PI * R * R * R * 2500;
+    double young = 64e6 / (1 - 0.23 * 0.23 + 1 - 0.42 * 0.42);  // Pa   effective
+    double depth = pow(mass * G / (4.0 / 3 * young * sqrt(R)), 2.0 / 3);
+    for (int i = 0; i < 3; i++) def.contacts[i].rolling_friction = rolling;
+    add_plane(&def, "floor", qn_v3(0, 0, 0), qn_v3(0, 1, 0));
+    add_ball(&def, 2 * R, qn_v3(0, R - depth, 0), qn_v3(v, 0, 0))->spin.z = spin;
+    def.step = 1e-5;
+    if (qn_world_create(&def, 1, &world) != QN_OK) printf("  %s\n", qn_error());
+    qn_def_free(&def);
+    return world;
+}
+
+static void a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed(void)
+{
+    const double friction[] = {0.2, 0.5, 1};
+    for (int k = 0; k < 3; k++) {
+        double u0 = 0.1, mu = friction[k], slides = 2 * u0 / (7 * mu * G), rolls_from = 0;
+        qn_world *w = standing(mu, 0, u0, 0);
+        CHECK(w);
+        while (qn_world_time(w) < 3 * slides) {
+            CHECK_STATUS(take_steps(w, 1));
+            double surface = w->motion[0].velocity.x + w->motion[0].spin.z * R;
+            if (surface > 1e-3 * u0) rolls_from = qn_world_time(w);
+        }
+        printf(" %g: %g %g %g\n", mu, rolls_from / slides, w->motion[0].velocity.x / u0 * 7 / 5, w->motion[0].spin.z * R / u0 * 7 / 5);
+        CHECK_NEAR(rolls_from / slides, 1, 5e-3);
+        CHECK_NEAR(w->motion[0].velocity.x / u0, 5.0 / 7, 1e-3);
+        CHECK_NEAR(-w->motion[0].spin.z * R / u0, 5.0 / 7, 1e-3);
+        qn_world_destroy(w);
+    }
+}
+
+static void a_rolling_ball_stops_after_the_distance_rolling_friction_gives(void)
+{
+    const double rolling[] = {0.05, 0.1};
+    for (int k = 0; k < 2; k++) {
+        double v0 = 0.1, distance = 7 * v0 * v0 / (10 * rolling[k] * G);
+        double stops = 7 * v0 / (5 * rolling[k] * G);
+        qn_world *w = standing(0.5, rolling[k], v0, -v0 / R);
+        CHECK(w);
+        while (qn_world_time(w) < stops / 2) CHECK_STATUS(take_steps(w, 1));
+        printf(" %g", w->motion[0].velocity.x / v0);
+        CHECK_NEAR(w->motion[0].velocity.x / v0, 0.5, 1e-3);
+        while (qn_world_time(w) < 1.5 * stops) CHECK_STATUS(take_steps(w, 1));
+        printf(" %g %g\n", w->place[0].x / distance, w->motion[0].velocity.x);
+        CHECK_NEAR(w->place[0].x / distance, 1, 2e-3);
+        CHECK_NEAR(w->motion[0].velocity.x / v0, 0, 1e-3);
+        CHECK(w->place[0].z == 0);
+        qn_world_destroy(w);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    TEST(a_sliding_ball_comes_to_roll_at_five_sevenths_of_its_speed);
+    TEST(a_rolling_ball_stops_after_the_distance_rolling_friction_gives);
+    DONE;
+}
