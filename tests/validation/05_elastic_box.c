@@ -69,9 +69,8 @@ static void energy_stays_within_1e_6_of_its_turnover_without_gravity(void)
     qn_world *w = box(0);
     CHECK(w);
     CHECK_STATUS(drift_of(w, 200000, &drift, &turnover));
-    printf(" %g %g\n", drift, turnover);
     CHECK_NEAR(drift, 0, 1e-6);
-    CHECK(turnover > 10);
+    CHECK(turnover > 50);  // the kinetic energy went through springs as often
     qn_world_destroy(w);
 }
 
@@ -81,9 +80,8 @@ static void energy_stays_within_1e_6_of_its_turnover_with_gravity(void)
     qn_world *w = box(9.81);
     CHECK(w);
     CHECK_STATUS(drift_of(w, 200000, &drift, &turnover));
-    printf(" %g %g\n", drift, turnover);
     CHECK_NEAR(drift, 0, 1e-6);
-    CHECK(turnover > 10);
+    CHECK(turnover > 50);  // the kinetic energy went through springs as often
     qn_world_destroy(w);
 }
 

@@ -136,7 +136,6 @@ static void a_ball_crosses_the_joints_of_a_mesh_as_a_plane(void)
         tilt(&def, false);
         CHECK_STATUS(follow(&def, &mesh));
         CHECK(mesh.most_touches == 1);
-        printf(" %d: %g\n", k, difference(&plane, &mesh));
         CHECK_NEAR(difference(&plane, &mesh), 0, 1e-12);
     }
 }
@@ -154,7 +153,6 @@ static void a_ball_rolls_along_the_very_edge_between_two_triangles(void)
     }
     CHECK(mesh.most_touches == 1);
     CHECK(qn_norm(qn_sub(plane.at[39], plane.at[0])) > 0.06);
-    printf("  %g\n", difference(&plane, &mesh));
     CHECK_NEAR(difference(&plane, &mesh), 0, 1e-12);
 }
 
@@ -196,7 +194,6 @@ static void a_ball_crosses_the_joints_of_a_profile_as_one_side(void)
     def = channel(true);
     CHECK_STATUS(follow(&def, &cut));
     CHECK(qn_norm(qn_sub(whole.at[39], whole.at[0])) > 0.1 && cut.most_touches == 1);
-    printf("end %g  %g\n", whole.at[39].x, difference(&whole, &cut));
     CHECK_NEAR(difference(&whole, &cut), 0, 1e-12);
 }
 
