@@ -170,6 +170,7 @@ qn_status qn_field_sample(qn_field *f, const qn_world *w)
 #pragma omp parallel for num_threads(w->threads)
     for (int i = 0; i < w->count; i++) {
         int klass = w->place[i].klass;
+        if (!(w->classes[klass].inverse_mass > 0)) continue;  // a fixed ball is part of the walls
         int64_t weight = f->ball_weight[klass];
         qn_vec3 centre = qn_world_position(w, i);
         int64_t voxel = voxel_of(f, w->period, centre.x, centre.y, centre.z);

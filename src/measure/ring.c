@@ -55,6 +55,7 @@ void qn_ring_sample(qn_ring *ring, const qn_world *w)
 {
     for (int i = 0; i < w->count; i++) {
         double x = w->place[i].x, y = w->place[i].y;
+        if (!(w->classes[w->place[i].klass].inverse_mass > 0)) continue;  // part of the walls
         if (x * x + y * y < ring->inner_radius * ring->inner_radius) continue;
         ring->sum[bin_of(ring, x, y)] += ring->weight[w->place[i].klass];
     }

@@ -8,7 +8,9 @@
 // Positions are those of step n. Each velocity comes twice: `half` is v(n-1/2), which moved the
 // particles and so advances the history; `kick` is the change a(n-1) dt/2 that predicts v(n), and
 // dissipative forces use their sum (second order; algorithms of Vyas et al. 2024, arXiv 2410.14798,
-// show what asynchronous velocities do at large size ratios).
+// show what asynchronous velocities do at large size ratios). The history advances in the contact plane
+// of step n - 1/2, whose normal m is that of step n less half a step's swing: with the normal of step n
+// a pair that turns as one body would drift by r dt/2 (W.n) W per second (a wall's normal stays its own).
 #ifndef QN_PHYSICS_CONTACT_H
 #define QN_PHYSICS_CONTACT_H
 
@@ -48,7 +50,7 @@ typedef struct qn_reply {
 #define QN_CONTACT_BODY(NORMAL, TANGENTIAL, RESIDUE)                                             \
     double distance = qn_norm(t->between);                                                       \
     qn_vec3 n = qn_scale(1 / distance, t->between);                                              \
-    double depth = g->reach - distance;                                                          \
+    double depth = qn_max(g->reach - distance, 0);                                               \
     double arm_a = g->arm_a - g->give_a * depth, arm_b = g->arm_b - g->give_b * depth;           \
     qn_vec3 spin_b = qn_scale(arm_b, t->spin_b), kick_b = qn_scale(arm_b, t->spin_kick_b);       \
     qn_vec3 moved = qn_sub(t->velocity, qn_cross(qn_madd(spin_b, arm_a, t->spin_a), n));         \
@@ -56,12 +58,16 @@ typedef struct qn_reply {
     qn_vec3 now = qn_add(moved, kick);                                                           \
     double rate = -qn_dot(now, n);                                                               \
     qn_vec3 slide = qn_madd(now, rate, n);                                                       \
-    qn_vec3 advance = qn_madd(moved, -qn_dot(moved, n), n);                                      \
+    double lag = g->arm_b > 0 ? 0.5 * p->dt / distance : 0;                                      \
+    qn_vec3 m = qn_madd(n, -lag, qn_madd(t->velocity, -qn_dot(t->velocity, n), n));              \
+    qn_vec3 past = qn_sub(t->velocity, qn_cross(qn_madd(spin_b, arm_a, t->spin_a), m));          \
+    qn_vec3 advance = qn_madd(past, -qn_dot(past, m), m);                                        \
     double twist = 0.5 * p->dt * (qn_dot(t->spin_a, n) + qn_dot(t->spin_b, n));                  \
-    qn_vec3 slip = qn_madd(qn_slip_turned(t->slip, n, twist), p->dt, advance);                   \
+    qn_vec3 held = qn_slip_turned(t->slip, n, twist);                                            \
+    qn_vec3 slip = qn_madd(held, p->dt, advance);                                                \
     qn_normal f = NORMAL(p, depth, rate);                                                        \
     double push = qn_max(f.elastic + f.damping, p->floor);                                       \
-    qn_tangential s = TANGENTIAL(p, depth, p->friction * fabs(push), slip, slide);               \
+    qn_tangential s = TANGENTIAL(p, depth, p->friction * fabs(push), held, slip, slide);         \
     qn_vec3 spin = qn_add(qn_sub(t->spin_a, t->spin_b), qn_sub(t->spin_kick_a, t->spin_kick_b)); \
     qn_vec3 rolling = qn_rolling_torque(p, f.elastic, n, spin);                                  \
     qn_vec3 lever = qn_cross(n, s.force);                                                        \

@@ -52,7 +52,7 @@ static inline qn_pair qn_law_pair(qn_law law, const qn_sides *s)
     p.friction = s->friction;
     p.floor = s->clip ? 0 : -INFINITY;
     p.rolling_arm = s->rolling_friction * qn_effective_radius(s);
-    p.rolling_limit = inverse_inertia > 0 ? 1 / (inverse_inertia * s->dt) : 0;
+    p.rolling_limit = inverse_inertia > 0 ? 1 / (16 * inverse_inertia * s->dt) : 0;
     p.dt = s->dt;
     return p;
 }

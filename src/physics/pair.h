@@ -31,10 +31,11 @@ typedef struct qn_pair {
     double tangential_stiffness, tangential_damping;
     double friction;  // 1
     double floor;     // N      least normal force: 0, or minus infinity where attraction is let be
-    double rolling_arm;    // m      mu_r R*: rolling torque per newton
-    double rolling_limit;  // kg m2/s  torque per rad/s that would stop the rolling within one step
-    double depth_scale;    // 1      what the law calls overlap, in true overlaps
-    double dt;             // s
+    double rolling_arm;  // m      mu_r R*: rolling torque per newton
+    double
+        rolling_limit;  // kg m2/s  torque per rad/s: a sixteenth of what stops the rolling in a step
+    double depth_scale;  // 1      what the law calls overlap, in true overlaps
+    double dt;           // s
 } qn_pair;
 
 /// 1/R* = 1/R_a + 1/R_b.

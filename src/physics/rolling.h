@@ -3,8 +3,9 @@
 //
 //     M = -mu_r R* F_el w_t / |w_t|                                                   [N m]
 //
-// w_t is the relative spin without its part along the normal. The torque is capped at what would
-// stop the relative rolling within one step, so that a ball at rest does not chatter.
+// w_t is the relative spin without its part along the normal. The torque is capped at a sixteenth of
+// what would stop the relative rolling within one step: a ball has up to twelve contacts, and together
+// they must not turn its spin round, or a bed at rest chatters for ever.
 //
 // Source: Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206, 269, doi:10.1016/j.powtec.2010.09.030.
 // Holds:  while rolling; a ball on a slope creeps below the angle where it should stand.

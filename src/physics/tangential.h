@@ -4,10 +4,11 @@
 // One model is one file, tangential_<name>.h, with
 //
 //     qn_<name>_tangential_pair(sides, pair)                 its two coefficients, at set-up
-//     qn_<name>_tangential(pair, depth, limit, slip, slide)  its force, in the inner loop
+//     qn_<name>_tangential(pair, depth, limit, held, slip, slide)  its force, in the inner loop
 //
-// slip (m) is the tangential displacement of side a against side b, already turned into the present
-// contact plane and advanced by this step; slide (m/s) its rate; limit (N) the Coulomb limit.
+// held (m) is the tangential displacement of side a against side b kept from the step before, turned
+// into the present contact plane; slip (m) the same advanced by this step; slide (m/s) its rate;
+// limit (N) the Coulomb limit.
 #ifndef QN_PHYSICS_TANGENTIAL_H
 #define QN_PHYSICS_TANGENTIAL_H
 
@@ -37,9 +38,10 @@ QN_FN qn_vec3 qn_slip_turned(qn_vec3 slip, qn_vec3 normal, double twist)
 /// A spring of stiffness k and a dashpot c in parallel, in series with a Coulomb slider. While the
 /// slider moves the force is the limit and the spring keeps its stretch, cut to what the limit holds:
 /// the dashpot then moves only as fast as the slider lets it, and nothing is pushed the wrong way (as
-/// happens where the spring is set to the limit less c times the full sliding speed).
-QN_FN qn_tangential qn_slider(double k, double c, double limit, qn_vec3 slip, qn_vec3 slide,
-                              double dt)
+/// happens where the spring is set to the limit less c times the full sliding speed). What sliding
+/// loses is the work done against the force less what the spring has gained since the last step.
+QN_FN qn_tangential qn_slider(double k, double c, double limit, qn_vec3 held, qn_vec3 slip,
+                              qn_vec3 slide, double dt)
 {
     qn_vec3 trial = qn_madd(qn_scale(-k, slip), -c, slide);
     double size = qn_norm(trial), stretch = k * qn_norm(slip);
@@ -49,12 +51,10 @@ QN_FN qn_tangential qn_slider(double k, double c, double limit, qn_vec3 slip, qn
     qn_tangential t;
     t.force = qn_scale(share, trial);
     t.slip = qn_scale(kept, slip);
-    qn_vec3 dashpot = qn_madd(t.force, k, t.slip);  // N   what the spring does not carry
-    double lost = -qn_dot(dashpot, slide) * dt;
-    double cut = k * qn_dot(t.slip, qn_sub(slip, t.slip));
     t.energy = 0.5 * k * qn_dot(t.slip, t.slip);
-    t.lost_dashpot = slides ? 0 : lost;
-    t.lost_sliding = slides ? lost + cut : 0;
+    double lost = 0.5 * k * qn_dot(held, held) - t.energy - qn_dot(t.force, slide) * dt;
+    t.lost_dashpot = slides ? 0 : c * qn_dot(slide, slide) * dt;
+    t.lost_sliding = slides ? lost : 0;
     return t;
 }
 

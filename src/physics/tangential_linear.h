@@ -22,11 +22,12 @@ static inline void qn_linear_tangential_pair(const qn_sides *s, qn_pair *p)
     p->tangential_damping = 2 * qn_sides_damping_ratio(s) * sqrt(qn_effective_mass(s) * k);
 }
 
-QN_FN qn_tangential qn_linear_tangential(const qn_pair *p, double depth, double limit, qn_vec3 slip,
-                                         qn_vec3 slide)
+QN_FN qn_tangential qn_linear_tangential(const qn_pair *p, double depth, double limit, qn_vec3 held,
+                                         qn_vec3 slip, qn_vec3 slide)
 {
     (void)depth;
-    return qn_slider(p->tangential_stiffness, p->tangential_damping, limit, slip, slide, p->dt);
+    return qn_slider(p->tangential_stiffness, p->tangential_damping, limit, held, slip, slide,
+                     p->dt);
 }
 
 /// This spring's stiffness does not change: no residue.

@@ -27,11 +27,11 @@ static inline void qn_mindlin_tangential_pair(const qn_sides *s, qn_pair *p)
 }
 
 QN_FN qn_tangential qn_mindlin_tangential(const qn_pair *p, double depth, double limit,
-                                          qn_vec3 slip, qn_vec3 slide)
+                                          qn_vec3 held, qn_vec3 slip, qn_vec3 slide)
 {
     double root = sqrt(depth);
     return qn_slider(p->tangential_stiffness * root, p->tangential_damping * sqrt(root), limit,
-                     slip, slide, p->dt);
+                     held, slip, slide, p->dt);
 }
 
 /// Energy the spring loses in the kick of one step because its stiffness k ~ sqrt(depth) changes at
@@ -40,7 +40,7 @@ QN_FN double qn_mindlin_residue(double energy, double depth, double rate, double
 {
     double half = 0.5 * rate * dt;
     double before = sqrt(qn_max(depth - half, 0)), after = sqrt(qn_max(depth + half, 0));
-    return energy * (before - after) / sqrt(depth);
+    return energy * (before - after) / sqrt(qn_max(depth, 1e-300));
 }
 
 #endif

@@ -25,10 +25,10 @@ static inline void qn_thesis_tangential_pair(const qn_sides *s, qn_pair *p)
         2 * sqrt(5.0 / 6) * qn_damping_ratio(s->restitution) * sqrt(k * qn_thesis_mass(s));
 }
 
-QN_FN qn_tangential qn_thesis_tangential(const qn_pair *p, double depth, double limit, qn_vec3 slip,
-                                         qn_vec3 slide)
+QN_FN qn_tangential qn_thesis_tangential(const qn_pair *p, double depth, double limit, qn_vec3 held,
+                                         qn_vec3 slip, qn_vec3 slide)
 {
-    (void)slip;
+    (void)held, (void)slip;
     double root = sqrt(p->depth_scale * depth);
     double c = p->tangential_stiffness * root + p->tangential_damping * sqrt(root);
     double speed2 = qn_dot(slide, slide);

@@ -56,7 +56,8 @@ qn_status qn_guard_overlap(qn_world *w)
     if (ledger->deepest_now <= QN_OVERLAP_STOP) return QN_OK;
     culprit worst = {0, 0, "something"};
     for (int t = 0; t < nb->share_count; t++) look_at_pairs(w, &nb->shares[t], &worst);
-    for (int i = 0; i < w->count; i++) look_at_walls(w, i, &worst);
+    for (int i = 0; i < w->count; i++)
+        if (w->classes[w->place[i].klass].inverse_mass > 0) look_at_walls(w, i, &worst);
     const qn_place *p = &w->place[worst.index];
     return qn_fail(QN_UNSTABLE,
                    "particle %lld overlaps %s by %.3g %% of its radius (allowed: %g %%), at "

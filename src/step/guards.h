@@ -8,7 +8,7 @@
 
 #include "world/world.h"
 
-/// QN_UNSTABLE if some overlap of this step is above QN_OVERLAP_STOP, or is not a number; keeps the
+/// QN_UNSTABLE if some overlap of this step is above QN_OVERLAP_STOP; keeps the
 /// ledger's deepest overlap.
 QN_NODISCARD qn_status qn_guard_overlap(qn_world *world);
 

@@ -150,16 +150,16 @@ static qn_normal at_the_guard(qn_law law, const qn_pair *p, double radius)
     return (qn_normal){0, 0, 0};
 }
 
-// The power of two just above x.
+// The power of two just above x; above next to nothing where x is 0, as in a world without contacts.
 static double power_above(double x)
 {
-    return ldexp(1, ilogb(x) + 1);
+    return ldexp(1, ilogb(qn_max(x, 1e-200)) + 1);
 }
 
-void qn_units_choose(qn_world *w, int64_t count)
+void qn_units_choose(qn_world *w, int64_t count, double lever)
 {
     int n = w->class_count;
-    double energy = 0;  // J   of one contact at the guard
+    double energy = 0, largest = 0;  // J, N   of one contact at the guard
     for (int a = 0; a < n; a++) {
         qn_class *c = &w->classes[a];
         double force = 0;  // N   likewise
@@ -174,9 +174,14 @@ void qn_units_choose(qn_world *w, int64_t count)
         }
         // A sum of 16 contacts at the guard stays below 2^62 quanta; one is then some 1e-10 of the
         // weight of a glass ball, 1e-15 of a hard impact.
+        largest = qn_max(largest, force);
         c->force_unit = power_above(force * 16 * 0x1p-62);
         c->torque_unit = power_above(c->force_unit * c->radius);
     }
-    // Sums stay below 2^52 quanta for 64 contacts at the guard, or a bed of overlaps near 5 %.
+    // A part's torque has room for every particle at the guard at the full lever; an energy sum for 64
+    // contacts at the guard, or a bed of overlaps near 5 %, and what is below its quantum is summed
+    // again in smaller quanta (kernel.h).
+    double many = 64 + (double)count;
+    w->part_torque_unit = power_above(largest * lever * many * 0x1p-61);
     w->energy_unit = power_above(energy * (64 + 0.05 * (double)count) * 0x1p-52);
 }

@@ -21,11 +21,11 @@ qn_sides qn_sides_of_wall(const qn_def *def, const qn_contact_def *contact, cons
 /// Whether some wall is made of a material.
 bool qn_def_is_wall(const qn_def *def, int material);
 
-/// Fills the world's pair tables from its classes, surfaces and time step, then the quanta of its
-/// sums. QN_INPUT where two materials that can touch have no law.
+/// Fills the world's pair tables from its classes, surfaces and time step. QN_INPUT where two materials that can touch have no law.
 QN_NODISCARD qn_status qn_pairs_build(qn_world *world);
 
-/// Quanta for sums over `count` particles; called by qn_pairs_build() and again when a world is made.
-void qn_units_choose(qn_world *world, int64_t count);
+/// Quanta for sums over `count` particles, once the pair tables are there; `lever` (m) is the largest
+/// distance of a wall contact from the axis.
+void qn_units_choose(qn_world *world, int64_t count, double lever);
 
 #endif

@@ -106,7 +106,10 @@ static void keep_clear(lattice *lat, const qn_walls *walls, const qn_class *clas
     for (int64_t i = 0; i < lat->count; i++) {
         bool clear = qn_walls_clearance(walls, &pose, lat->sites[i]) >= lat->pad * (1 - 1e-12);
         for (int k = 0; clear && k < placed_count; k++) {
-            double apart = qn_norm(qn_sub(lat->sites[i], placed[k].position));
+            qn_vec3 d = qn_sub(lat->sites[i], placed[k].position);
+            double length = lat->high.z - lat->low.z;
+            if (lat->periodic) d.z -= length * floor(d.z / length + 0.5);
+            double apart = qn_norm(d);
             clear = apart >= lat->pad + classes[placed[k].klass].radius;
         }
         if (clear) lat->sites[kept++] = lat->sites[i];

@@ -57,8 +57,8 @@ static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_si
     double mass = qn_effective_mass(sides), time, depth;
     if (isinf(mass)) return;
     if (contact->law == QN_LAW_LINEAR) {
-        double zeta = qn_sides_damping_ratio(sides), q = 1 - zeta * zeta;
-        time = QN_PI * sqrt(mass / sides->stiffness) / sqrt(q > 0.01 ? q : 0.01);
+        double zeta = qn_sides_damping_ratio(sides), e = sides->restitution;
+        time = sqrt(mass / sides->stiffness) * (zeta > 1e-6 ? -log(e) / zeta : QN_PI);
         depth = t->impact_speed * sqrt(mass / sides->stiffness);
     } else {
         qn_pair pair = qn_law_pair(contact->law, sides);
@@ -68,6 +68,14 @@ static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_si
     double smaller = qn_min(fabs(sides->radius[0]), fabs(sides->radius[1]));
     t->contact = qn_min(t->contact, time);
     t->largest_overlap = qn_max(t->largest_overlap, depth / smaller);
+}
+
+// Rounds down to three digits, so that the step does not hang on the last bit of the C library's pow.
+static double three_digits(double x)
+{
+    double scale = 1;
+    while (x * scale < 100 && scale < 1e22) scale *= 10;
+    return isfinite(x) ? floor(x * scale) / scale : x;
 }
 
 qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class_count)
@@ -94,6 +102,7 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             take_pair(&t, contact, &sides);
         }
     }
-    t.suggested = qn_min(def->rayleigh_fraction * t.rayleigh, t.contact / QN_STEPS_PER_CONTACT);
+    t.suggested =
+        three_digits(qn_min(def->rayleigh_fraction * t.rayleigh, t.contact / QN_STEPS_PER_CONTACT));
     return t;
 }

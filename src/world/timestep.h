@@ -3,7 +3,7 @@
 //
 // Rayleigh time, of a sphere's surface wave:  t_R = pi R sqrt(rho/G) / (0.1631 nu + 0.8766)
 // Contact time, Hertz at impact speed v:      t_c = 2.94328 d/v,  d = (5 m* v^2 / (4 k))^(2/5)
-// Contact time, linear:                       t_c = pi sqrt(m*/k) / sqrt(1 - zeta^2)
+// Contact time, linear:                       t_c = -ln(e)/zeta sqrt(m*/k), pi sqrt(m*/k) for e = 1
 // Automatic step: the smaller of rayleigh_fraction t_R and t_c / 40 over all pairs; a contact then
 // has at least 40 steps, and restitution is right to about 0.1 %.
 //

@@ -74,6 +74,15 @@ static qn_status settle_in(qn_world *w, const qn_seedling *seedlings, int count)
     return QN_OK;
 }
 
+// Largest distance (m) from the axis at which a wall may be touched, with room to spare.
+static double lever(const qn_world *w, const qn_seedling *seedlings, int count)
+{
+    double far = w->def.drum.present ? w->def.drum.diameter / 2 : 0;
+    for (int i = 0; i < count; i++)
+        far = qn_max(far, hypot(seedlings[i].position.x, seedlings[i].position.y));
+    return 4 * (far + w->largest_radius);
+}
+
 static qn_status build(qn_world *w)
 {
     qn_seedling *seedlings = NULL;
@@ -92,7 +101,7 @@ static qn_status build(qn_world *w)
     QN_TRY(qn_pairs_build(w));
     QN_TRY(ledger_create(w));
     QN_TRY(qn_pack(&w->def, w->classes, &w->walls, &seedlings, &count));
-    qn_units_choose(w, count);
+    qn_units_choose(w, count, lever(w, seedlings, count));
     qn_status status = settle_in(w, seedlings, count);
     free(seedlings);
     QN_TRY(status);

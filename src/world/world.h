@@ -69,13 +69,14 @@ typedef struct qn_world {
     double period;    // m     length of the periodic axis z; 0 for none
     double lattice;   // m     positions along a periodic axis are multiples of lattice
     int class_count, surface_count;
-    qn_class *classes;                       //       owned
-    qn_law *laws;                            //       owned; [class_a * class_count + class_b]
-    qn_pair *pairs;                          //       owned; as laws
-    qn_reach *reaches;                       //       owned; as laws
-    qn_law *wall_laws;                       //       owned; [surface * class_count + class]
-    qn_pair *wall_pairs;                     //       owned; as wall_laws
-    double energy_unit;                      // J     quantum of the energy sums, a power of two
+    qn_class *classes;        //       owned
+    qn_law *laws;             //       owned; [class_a * class_count + class_b]
+    qn_pair *pairs;           //       owned; as laws
+    qn_reach *reaches;        //       owned; as laws
+    qn_law *wall_laws;        //       owned; [surface * class_count + class]
+    qn_pair *wall_pairs;      //       owned; as wall_laws
+    double energy_unit;       // J     quantum of the energy sums, a power of two
+    double part_torque_unit;  // N m   quantum of the wall parts' torque sums, likewise
     double largest_radius, smallest_radius;  // m
     qn_walls walls;                          //       owned
 

@@ -51,6 +51,7 @@ output: {frames: 5 ms, checkpoint: 60 s, pictures: no}
 """
 
 _tests = []
+_children = []
 
 
 class Skip(Exception):
@@ -105,9 +106,28 @@ def run(scene, folder, *more, threads=1, env=None):
 
 def start(scene, folder, *more):
     """Starts a run and does not wait for it."""
-    return subprocess.Popen(
+    child = subprocess.Popen(
         [PROGRAM, "run", scene, "-o", folder, "--quiet", "--threads", "1", *map(str, more)],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    _children.append(child)
+    return child
+
+
+def end_children():
+    """Those that a failed test has left running."""
+    for child in _children:
+        if child.poll() is None:
+            child.kill()
+            child.communicate()
+    _children.clear()
+
+
+def work_folder():
+    """A new folder in memory if there is room for it, else in the current folder."""
+    memory = "/dev/shm"
+    roomy = os.access(memory, os.W_OK) and shutil.disk_usage(memory).free > 60_000_000
+    return pathlib.Path(tempfile.mkdtemp(prefix=f"quern-{pathlib.Path(sys.argv[0]).stem}-",
+                                         dir=memory if roomy else os.getcwd()))
 
 
 def wait(child):
@@ -193,9 +213,7 @@ def check_tidy(folder):
 
 def main():
     passed = failed = skipped = 0
-    memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-    home = pathlib.Path(tempfile.mkdtemp(prefix="quern-" + pathlib.Path(sys.argv[0]).stem + "-",
-                                         dir=memory))
+    home = work_folder()
     for number, (sentence, function) in enumerate(_tests):
         if not all(word in sentence for word in sys.argv[2:]):
             continue
@@ -214,7 +232,11 @@ def main():
             failed += 1
             verdict = "FAILED\n" + traceback.format_exc()
         print(f"{time.monotonic() - begun:6.2f} s  {sentence}: {verdict}", flush=True)
+        end_children()
         os.chdir(home.parent)
+        shutil.rmtree(place, ignore_errors=True)
     shutil.rmtree(home, ignore_errors=True)
-    print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
+    if skipped:
+        print(f"{skipped} skipped")
+    print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else SKIPPED if skipped and not passed else 0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`quern check`: the reference document's numbers come out of its mills; what it says and refuses."""
+"""`quern check`: the reference document's numbers come out of its mills; what it refuses."""
 import json
 import pathlib
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`quern info` and `quern plot` on the recordings of a short run."""
+import importlib.util
 import pathlib
 import shutil
 
@@ -52,10 +53,9 @@ def not_readable():
 
 @test("plot draws pictures from a run, and run does so at its end unless told not to")
 def plot():
-    try:
-        import h5py, matplotlib, numpy  # noqa: F401, E401
-    except ImportError as missing:
-        raise Skip(missing)
+    for module in ("h5py", "matplotlib", "numpy"):
+        if not importlib.util.find_spec(module):
+            raise Skip(f"Python has no {module}")
     scene = write("mill.yaml", changed(SCENE, ("pictures: no", "pictures: yes")))
     run(scene, "out", "--no-pictures").expect(0)
     assert not list(pathlib.Path("out").rglob("*.png"))

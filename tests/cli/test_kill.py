@@ -13,6 +13,7 @@ from common import (INPUT, INTERRUPTED, MILL, changed, check_same_recordings, ch
 
 KILLS = 20
 OFTEN = changed(MILL, ("checkpoint: 60 s", "checkpoint: 50 ms"))
+HALF = ("end: 0.06 s", "end: 0.03 s")
 
 
 def partial_seen(folder):
@@ -84,7 +85,7 @@ def kill_early():
 
 @test("a damaged newest checkpoint is put aside and the one before it is used")
 def damaged_checkpoint():
-    scene = write("mill.yaml", OFTEN)
+    scene = write("mill.yaml", changed(OFTEN, HALF))
     run(scene, "whole").expect(0)
     run(scene, "hurt").expect(0)
     newest = checkpoints("hurt")[-1]
@@ -95,10 +96,10 @@ def damaged_checkpoint():
 
 
 def interrupt_by(which):
-    scene = write("mill.yaml", MILL)
+    scene = write("mill.yaml", changed(MILL, HALF))
     run(scene, "whole").expect(0)
     folder = pathlib.Path("stopped")
-    for frame, more in ((2, []), (6, ["--resume"])):
+    for frame, more in ((1, []), (3, ["--resume"])):
         child = start(scene, folder, *more)
         wait_until(lambda: (folder / "frames" / f"frame_{frame:06d}.hdf").exists())
         child.send_signal(which)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Neither the number of threads nor the processor's instructions change a result, not even a bit."""
-from common import MILL, changed, check_same_recordings, main, quern, run, summary, test, write
+"""Neither the number of threads nor the processor's instructions change a bit of a result."""
+from common import MILL, changed, check_same_recordings, main, run, summary, test, write
 
 # Long enough for many rebuilds of the pair list, and for balls that cross the periodic ends.
 SCENE = changed(MILL, ("end: 0.06 s", "end: 2500 steps"), ("start: 100 steps", "start: 1500 steps"))

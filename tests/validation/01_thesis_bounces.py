@@ -11,12 +11,14 @@ Formula    Ratio of the speeds at the height of touching, found from the free fl
            sphere the two halvings cancel, and the ratio is e = 0.660.
            Rolling: v = w R; from sliding, 5/7 of the first speed.
 Source     The document's Figs 6.0 to 6.6 and 4.5; its coefficients in Figs 5.23 and 5.24.
-Tolerance  drop, 0.002 of 0.657: the scatter of the document's own figures (0.656 to 0.659).
-           two-spheres, 0.009 of 0.660: at 22 to 40 steps a contact the dashpot's depth^(1/4) starts
-           and ends with infinite slope, and the first and last step may fall anywhere in it; that
-           is 0.4/22^(5/4) = 0.008. At a tenth of the step the same bounces have to be 0.660 within
-           0.001. launch, 0.002 of the speed: the arm is R less the overlap, 0.6 % at the first bounce.
-           overlap, 0.02 of 1.03 % and 1.79 %: the second is the document's last digit or two.
+Tolerance  At 1 us a bounce depends on where in a step it begins, as the dashpot's depth^(1/4) sets in with
+           infinite slope. The same leapfrog on one contact, over all such phases, gives 0.6562 to 0.6597
+           for the plate (55 steps a contact) and 0.652 to 0.667 for the fixed ball (18 to 28 steps).
+           drop: 0.002 of 0.657, which the document's own figures keep (0.656 to 0.659).
+           two-spheres: 0.008 of 0.660; at a tenth of the step it has to be 0.660 within 0.001.
+           launch: 0.002 of the speed, as the arm is R less the overlap, 0.6 % at the first bounce.
+           overlap: 0.01 and 0.02 of 1.03 % and 1.79 %, and 0.6 % of speed^(4/5): over those phases the
+           depth varies by 0.3 % either way.
 """
 import common_runs as lab
 
@@ -62,7 +64,7 @@ def balls_go_in_as_deep_as_the_document_shows():
     assert abs(deepest[2] - 1.03) < 0.01, f"{deepest[2]} % at 1 m/s"
     assert abs(deepest[4] - 1.79) < 0.02, f"{deepest[4]} % at 2 m/s"
     for ball, v in ((1, 0.5), (3, 1.5), (4, 2)):
-        assert abs(deepest[ball] / deepest[2] / v**0.8 - 1) < 0.003, f"{deepest[ball]} % at {v} m/s"
+        assert abs(deepest[ball] / deepest[2] / v**0.8 - 1) < 0.006, f"{deepest[ball]} % at {v} m/s"
 
 
 def contacts(folder):
@@ -79,7 +81,7 @@ def contacts(folder):
 def two_balls_part_after_20_steps_and_an_attraction():
     folder = lab.run("two-spheres")
     for ratio in ratios(lab.rows(folder, "traces.csv"), 2 * R, 5):
-        assert abs(ratio - 0.660) < 0.009, f"ratio {ratio:.5f}"
+        assert abs(ratio - 0.660) < 0.008, f"ratio {ratio:.5f}"
     touches = contacts(folder)
     assert 18 <= len(touches[0]) <= 24, f"{len(touches[0])} steps"
     for touch in touches[:5]:
@@ -96,7 +98,6 @@ def with_the_clip_two_balls_never_attract():
 
 
 def at_a_tenth_of_the_step_two_balls_rebound_with_0_660():
-    # Gravity is left out and the first speed given, so that the ratio is that of a lone collision.
     folder = lab.run("two-spheres", [("step: 1 us", "step: 0.1 us"), ("{end: 0.1 s", "{end: 0.03 s"),
                                      ("every: 1 steps", "every: 10 steps")])
     for ratio in ratios(lab.rows(folder, "traces.csv"), 2 * R, 1):

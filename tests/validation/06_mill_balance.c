@@ -9,8 +9,8 @@
 //            packing, 0.64, less at walls). What lies on the shell between lifters moves with it.
 // Source     Conservation of energy; Scott & Kilgour (1969), J. Phys. D 2, 863; the reference document, 6.2:
 //            solidity 0.5 to 0.6, shell 0.73 m/s and charge there about 0.7 m/s.
-// Tolerance  1 % of the work. The balance is first order in the step (halving it halves what is left),
-//            and 0.3 % at this one. The charge at the shell within 10 % of the wall's speed.
+// Tolerance  0.3 % of the work, a third of what is asked for; 0.05 % is what it is off at this step. The
+//            charge at the shell within 10 % of the drum's speed.
 #include "check.h"
 #include "worlds.h"
 
@@ -87,10 +87,11 @@ static void a_small_mill_balances_and_carries_its_charge(void)
     double work = o.last.work - o.first.work, lost = o.last.lost - o.first.lost;
     double stored = o.last.stored - o.first.stored;
     double residual = qn_balance_residual(&o.last, &o.first);
-    printf("  work %.4g J, lost %.4g J, stored %.4g J, residual %.3f %%, solidity %.3f, shell %.3f\n",
-           work, lost, stored, 100 * residual / work, o.bulk, o.at_shell);
+    printf(
+        "  work %.4g J, lost %.4g J, stored %.4g J, residual %.3f %%, solidity %.3f, shell %.3f\n",
+        work, lost, stored, 100 * residual / work, o.bulk, o.at_shell);
     CHECK(work > 0.005 && lost > 0.5 * work);
-    CHECK_NEAR((lost + stored) / work, 1, 0.01);
+    CHECK_NEAR((lost + stored) / work, 1, 0.003);
     CHECK(o.bulk > 0.5 && o.bulk < 0.62);
     CHECK_NEAR(o.at_shell, 1, 0.1);
     qn_world_destroy(w);

@@ -56,10 +56,8 @@ static void add_sheet(qn_def *def, int n)
     def->mesh_count = 1;
     def->meshes = calloc(1, sizeof *def->meshes);
     qn_mesh_def *m = def->meshes;
-    *m = (qn_mesh_def){.name = "sheet",
-                       .material = 1,
-                       .vertex_count = side * side,
-                       .triangle_count = 2 * n * n};
+    *m = (qn_mesh_def){
+        .name = "sheet", .material = 1, .vertex_count = side * side, .triangle_count = 2 * n * n};
     m->vertices = calloc((size_t)(3 * side * side), sizeof(double));
     m->triangles = calloc((size_t)(6 * n * n), sizeof(int));
     for (int i = 0; i < side * side; i++) {
@@ -131,8 +129,10 @@ static void a_ball_crosses_the_joints_of_a_mesh_as_a_plane(void)
     CHECK(qn_norm(qn_sub(plane.at[39], plane.at[0])) > 0.06 && plane.most_touches == 1);
     for (int k = 0; k < 4; k++) {
         def = thrown(-0.07, R, -0.03, v);
-        if (k == 0) add_triangle(&def);
-        else add_sheet(&def, k == 1 ? 1 : k == 2 ? 7 : 20);
+        if (k == 0)
+            add_triangle(&def);
+        else
+            add_sheet(&def, k == 1 ? 1 : k == 2 ? 7 : 20);
         tilt(&def, false);
         CHECK_STATUS(follow(&def, &mesh));
         CHECK(mesh.most_touches == 1);
@@ -160,8 +160,8 @@ static void a_ball_rolls_along_the_very_edge_between_two_triangles(void)
 static qn_def channel(bool cut)
 {
     static const double whole[] = {-0.1, -0.1, 0.1, -0.1, 0.1, 0.1, -0.1, 0.1};
-    static const double pieces[] = {-0.1, -0.1, -0.03, -0.1, 0, -0.1, 0.0101, -0.1, 0.04, -0.1,
-                                    0.1,  -0.1, 0.1,   0.1,  -0.1, 0.1};
+    static const double pieces[] = {-0.1, -0.1, -0.03, -0.1, 0,   -0.1, 0.0101, -0.1,
+                                    0.04, -0.1, 0.1,   -0.1, 0.1, 0.1,  -0.1,   0.1};
     qn_def def = thrown(-0.07, -0.1 + R, 0.05, qn_v3(0.7, 0, 0.1));
     size_t size = cut ? sizeof pieces : sizeof whole;
     def.drum = (qn_drum_def){.present = true,

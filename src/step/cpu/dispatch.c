@@ -67,10 +67,3 @@ qn_status qn_kernel_contacts(qn_world *w, qn_share *share, const qn_pose *pose, 
 {
     return contacts(w, share, pose, mode);
 }
-
-double qn_torque_unit(const qn_world *w)
-{
-    double unit = 0;
-    for (int i = 0; i < w->class_count; i++) unit = qn_max(unit, w->classes[i].torque_unit);
-    return unit;
-}

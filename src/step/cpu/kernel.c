@@ -103,13 +103,17 @@ static void add_load(qn_load *to, const block *b, int side, int l)
     }
 }
 
-// Adds the first `count` lanes' energies: rounded to the energy unit by adding and taking off a number
-// so large that no smaller bits survive, hence sums of integers.
+// Adds the first `count` lanes' energies, split into multiples of two units: adding and taking off a
+// number so large that no smaller bits survive rounds to a multiple, hence these are sums of integers.
 static void tally(const qn_world *w, qn_tally_sums *sums, const block *b, int count, double radius)
 {
-    double rounder = 1.5 * 0x1p52 * w->energy_unit, deepest = 0;
+    double coarse = 1.5 * 0x1p52 * w->energy_unit, fine = coarse * 0x1p-26, deepest = 0;
     for (int e = 0; e < QN_TALLY_COUNT; e++)
-        for (int l = 0; l < count; l++) sums->energy[e][l] += (b->energy[e][l] + rounder) - rounder;
+        for (int l = 0; l < count; l++) {
+            double units = (b->energy[e][l] + coarse) - coarse;
+            sums->energy[e][l] += units;
+            sums->remainder[e][l] += ((b->energy[e][l] - units) + fine) - fine;
+        }
     for (int l = 0; l < count; l++) deepest = qn_max(deepest, b->depth[l]);
     sums->deepest = qn_max(sums->deepest, deepest / radius);
 }
@@ -220,7 +224,7 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
     block *b = &work->block;
     const qn_class *c = &w->classes[kind % w->class_count];
     const qn_reach reach = {c->radius, c->radius, 0, 1, 0};
-    double per_torque = 1 / qn_torque_unit(w);
+    double per_torque = 1 / w->part_torque_unit;
     if (q->count == 0) return;
     for (int l = 0; l < W; l++) gather_wall(w, share, pose, q, l < q->count ? l : 0, l, b);
     evaluate(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
@@ -241,9 +245,10 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
 }
 
 // The history of a touch: that of the same feature at the last step, else that of a feature which is
-// no longer touched and whose normal is within 20 degrees, as when rolling over a joint.
+// no longer touched and whose normal is within 20 degrees, as when rolling over a joint. `taken` marks
+// those already inherited: each history goes on once.
 static qn_vec3 wall_history(const qn_wall_contact *old, int old_count, const qn_wall_hit *hits,
-                            int hit_count, int h, qn_vec3 centre)
+                            int hit_count, int h, qn_vec3 centre, uint32_t *taken)
 {
     for (int k = 0; k < old_count; k++)
         if (old[k].feature == hits[h].feature) return old[k].slip;
@@ -253,7 +258,9 @@ static qn_vec3 wall_history(const qn_wall_contact *old, int old_count, const qn_
         bool still = false;
         for (int other = 0; other < hit_count; other++)
             still |= old[k].feature == hits[other].feature;
-        if (!still && qn_dot(old[k].normal, away) > least) return old[k].slip;
+        if (still || *taken >> k & 1 || !(qn_dot(old[k].normal, away) > least)) continue;
+        *taken |= (uint32_t)1 << k;
+        return old[k].slip;
     }
     return qn_v3(0, 0, 0);
 }
@@ -265,6 +272,7 @@ static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, 
     enum { ROOM = 32 };
     workspace *work = share->workspace;
     qn_wall_hit hits[ROOM];
+    uint32_t taken = 0;
     const qn_place *p = &w->place[i];
     qn_vec3 centre = qn_v3(p->x, p->y, p->z);
     int count = qn_walls_touch(&w->walls, pose, centre, w->classes[p->klass].radius, hits, ROOM);
@@ -278,7 +286,7 @@ static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, 
             (qn_wall_contact){w->id[i],
                               hits[h].feature,
                               i,
-                              wall_history(old, old_count, hits, count, h, centre),
+                              wall_history(old, old_count, hits, count, h, centre, &taken),
                               {0, 0, 0}};
         int kind = hits[h].surface * w->class_count + p->klass;
         queue *q = &work->walls[kind];

@@ -11,11 +11,15 @@
 
 enum { QN_LANES = 8 };
 
-/// A share's sums over this step's contacts. Energies are rounded to multiples of the world's energy
-/// unit before they are added, so the sums are exact and do not depend on their order.
+/// A share's sums over this step's contacts. Energies are split into a multiple of the world's energy
+/// unit and a multiple of a much smaller one before they are added, so the sums are exact and do not
+/// depend on their order, and small losses in a large mill are not rounded away. (Demmel & Nguyen 2013,
+/// ARITH 21, doi:10.1109/ARITH.2013.9, sum likewise.)
 typedef struct qn_tally_sums {
-    double energy[QN_TALLY_COUNT][QN_LANES];  // J
-    double deepest;                           // 1   in radii of the smaller sphere
+    double energy[QN_TALLY_COUNT][QN_LANES];  // J   multiples of the energy unit
+    double remainder[QN_TALLY_COUNT]
+                    [QN_LANES];  // J   what that leaves, in units 2^26 times smaller
+    double deepest;              // 1   in radii of the smaller sphere
     int64_t contacts, wall_contacts;
     int64_t *torque;  //     by part, in the world's quanta; lies behind the sums
 } qn_tally_sums;
@@ -32,8 +36,5 @@ QN_NODISCARD qn_status qn_kernel_contacts(qn_world *world, qn_share *share, cons
 /// Name of the instruction set in use: "base", "v3" or "v4" (x86-64 levels). The environment
 /// variable QUERN_ISA asks for one.
 const char *qn_kernel_isa(void);
-
-/// Quantum (N m) of the wall parts' torque sums.
-double qn_torque_unit(const qn_world *world);
 
 #endif

@@ -24,6 +24,7 @@ static void clear_share(qn_world *w, qn_share *share)
         memset(&share->spill[share->foreign[k]], 0, sizeof *share->spill);
     qn_tally_sums *sums = share->sums;
     memset(sums->energy, 0, sizeof sums->energy);
+    memset(sums->remainder, 0, sizeof sums->remainder);
     memset(sums->torque, 0, (size_t)w->walls.part_count * sizeof *sums->torque);
     sums->deepest = 0, sums->contacts = 0, sums->wall_contacts = 0;
 }
@@ -73,23 +74,27 @@ static void tally(qn_world *w)
 {
     qn_ledger *ledger = &w->ledger;
     const qn_neighbours *nb = w->neighbours;
-    double unit = qn_torque_unit(w);
+    double remainder[QN_TALLY_COUNT] = {0};
     ledger->contacts_now = ledger->wall_contacts_now = 0;
     ledger->deepest_now = 0;
     memset(ledger->now, 0, sizeof ledger->now);
     for (int p = 0; p < ledger->part_count; p++) {
         int64_t torque = 0;
         for (int t = 0; t < nb->share_count; t++) torque += nb->shares[t].sums->torque[p];
-        ledger->torque_now[p] = unit * (double)torque;
+        ledger->torque_now[p] = w->part_torque_unit * (double)torque;
     }
     for (int t = 0; t < nb->share_count; t++) {
         const qn_tally_sums *sums = nb->shares[t].sums;
         for (int e = 0; e < QN_TALLY_COUNT; e++)
-            for (int l = 0; l < QN_LANES; l++) ledger->now[e] += sums->energy[e][l];
+            for (int l = 0; l < QN_LANES; l++) {
+                ledger->now[e] += sums->energy[e][l];
+                remainder[e] += sums->remainder[e][l];
+            }
         ledger->contacts_now += sums->contacts;
         ledger->wall_contacts_now += sums->wall_contacts;
         ledger->deepest_now = qn_max(ledger->deepest_now, sums->deepest);
     }
+    for (int e = 0; e < QN_TALLY_COUNT; e++) ledger->now[e] += remainder[e];
 }
 
 qn_status qn_step_forces(qn_world *w, qn_mode mode)
