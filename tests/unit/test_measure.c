@@ -82,13 +82,12 @@ static void the_solid_volume_adds_up_exactly(void)
     CHECK_STATUS(qn_field_create(w, 2, 3, &f));
     CHECK_STATUS(qn_field_sample(&f, w));
     CHECK_STATUS(qn_field_sample(&f, w));
-    int64_t solid = 0, centres = 0, open_voxels = 0;
+    int64_t solid = 0, centres = 0;
     double open = 0;
     for (int64_t v = 0; v < qn_field_voxel_count(&f); v++) {
         solid += f.sum[QN_FIELD_solid_volume][v];
         centres += f.sum[QN_FIELD_count][v];
         open += f.open_volume[v];
-        open_voxels += f.open_volume[v] > 0;
     }
     double volume = 2 * 5000 * 4.0 / 3 * QN_PI * 1e-9;
     CHECK(centres == 10000);
