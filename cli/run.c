@@ -187,8 +187,8 @@ static qn_status go(run *r, int64_t end)
         if (qn_recorder_fail(&r->recorder, r->world, &r->measure) != QN_OK)
             fprintf(stderr, "quern run: the failed state could not be kept: %s\n", qn_error());
         return qn_fail(QN_UNSTABLE,
-                       "%s. The state is in %s/failed_%012lld.h5, the last good "
-                       "checkpoint is kept",
+                       "%s. The state is in %s/failed_%012lld.h5, and any "
+                       "earlier checkpoint is kept",
                        sentence, r->recorder.folder.path, (long long)r->world->step);
     }
     QN_TRY(status);

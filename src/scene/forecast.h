@@ -23,7 +23,7 @@ typedef struct qn_forecast {
     double memory, disk;  // bytes  estimates
 } qn_forecast;
 
-#define QN_FORECAST_RATE 8e6  // 1/s   particle-steps per second and thread that an estimate assumes
+#define QN_FORECAST_RATE 7e6  // 1/s   particle-steps per second and thread that an estimate assumes
 
 /// What limits the time step. To be asked before qn_world_create(), which takes the walls and lists of
 /// spheres from the definition.

@@ -116,6 +116,7 @@ static qn_status pairs_of_walls(qn_world *w)
             const qn_class *ca = &w->classes[a];
             const qn_contact_def *contact =
                 qn_def_contact(&w->def, ca->material, surface->material);
+            if (ca->inverse_mass <= 0) continue;  // fixed: never tried against walls
             if (!contact) return no_law(&w->def, ca->material, surface->material);
             qn_sides sides = qn_sides_of_wall(&w->def, contact, ca, surface, w->dt);
             w->wall_laws[k * n + a] = contact->law;

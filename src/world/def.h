@@ -21,7 +21,7 @@ enum {
 };
 
 /// A time, written as seconds, as revolutions of the drum or as steps. Revolutions count from the
-/// start of the run; use qn_world_seconds() (world.h) to turn one into seconds.
+/// start of the run; qn_span_steps() (measure/measure.h) turns one into steps.
 typedef enum qn_span_unit { QN_SECONDS, QN_REVOLUTIONS, QN_STEPS } qn_span_unit;
 typedef struct qn_span {
     double value;
