@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/pack.h"
 #include "base/random.h"
+#include "world/classes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -172,7 +173,7 @@ static qn_status place_lists(const qn_def *def, const qn_class *classes, const q
                     qn_v3(g->list_spin[3 * i], g->list_spin[3 * i + 1], g->list_spin[3 * i + 2]);
             double clear = qn_walls_clearance(walls, &pose, s.position);
             double radius = classes[s.klass].radius;
-            if (!g->fixed && clear < radius * (1 - 0.01))
+            if (!g->fixed && clear < radius * (1 - QN_OVERLAP_WARN))
                 return qn_fail(QN_INPUT,
                                "particles.%s: particle %d at (%g, %g, %g) m with radius %g m "
                                "stands %g m deep in a wall",
