@@ -3,17 +3,6 @@
 #include "step/step.h"
 #include "world/neighbours.h"
 
-static void contact(qn_law law, const qn_pair *p, const qn_reach *g, const qn_touch *t, qn_reply *r)
-{
-    switch (law) {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    case QN_LAW_##NAME: qn_contact_##NAME(p, g, t, r); break;
-        QN_LAWS(L)
-#undef L
-    case QN_LAW_COUNT: break;
-    }
-}
-
 // The contact of a (lower id) and b, places already known to touch. A history that has been moved on
 // by this step's forces is not moved on again: no time passes. The point is seen from a's place within
 // the period, as which image of a pair is listed depends on when the list was built.
@@ -33,7 +22,7 @@ static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *poi
                   slip};
     qn_reply r;
     if (w->committed) pair.dt = 0;
-    contact(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
+    qn_contact_evaluate(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
     double arm = w->classes[pa->klass].radius - 0.5 * r.depth;
     *point = qn_madd(qn_world_position(w, pa->home), -arm, r.normal);
     return r;
@@ -99,7 +88,7 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
         for (int k = 0; k < listed; k++)
             if (list[k].index == which && list[k].feature == hits[h].feature) t.slip = list[k].slip;
         pair.dt = 0;
-        contact(w->wall_laws[kind], &pair, &reach, &t, &r);
+        qn_contact_evaluate(w->wall_laws[kind], &pair, &reach, &t, &r);
         visit(user, w->id[which], -1 - hits[h].part, &r, hits[h].point);
     }
     return QN_OK;

@@ -10,18 +10,6 @@ static const char *const names[] = {
 #undef L
 };
 
-static void evaluate(qn_law law, const qn_pair *p, const qn_reach *g, const qn_touch *t,
-                     qn_reply *r)
-{
-    switch (law) {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    case QN_LAW_##NAME: qn_contact_##NAME(p, g, t, r); break;
-        QN_LAWS(L)
-#undef L
-    case QN_LAW_COUNT: break;
-    }
-}
-
 // A 3 mm glass ball against a flat wall of the same.
 static qn_sides ball_and_wall(double restitution, bool clip)
 {
@@ -63,11 +51,11 @@ static void every_law_has_a_normal_force_that_is_the_gradient_of_its_energy(void
             qn_reply low, high, here;
             double h = d * 1e-4;
             qn_touch t = pressed(d - h, 0);
-            evaluate((qn_law)law, &p, &wall_reach, &t, &low);
+            qn_contact_evaluate((qn_law)law, &p, &wall_reach, &t, &low);
             t = pressed(d + h, 0);
-            evaluate((qn_law)law, &p, &wall_reach, &t, &high);
+            qn_contact_evaluate((qn_law)law, &p, &wall_reach, &t, &high);
             t = pressed(d, 0);
-            evaluate((qn_law)law, &p, &wall_reach, &t, &here);
+            qn_contact_evaluate((qn_law)law, &p, &wall_reach, &t, &here);
             double slope = (high.stored_normal - low.stored_normal) / (2 * h);
             if (fabs(slope / here.push - 1) > 1e-6) printf("  law %s\n", names[law]);
             CHECK_NEAR(slope / here.push, 1, 1e-6);
@@ -86,7 +74,7 @@ static double bounce(qn_law law, const qn_sides *sides, double speed)
         depth += v * dt;
         if (depth <= 0) break;
         qn_touch t = pressed(depth, v + before * dt / 2);
-        evaluate(law, &p, &wall_reach, &t, &r);
+        qn_contact_evaluate(law, &p, &wall_reach, &t, &r);
         before = -r.push / mass;
         v += before * dt;
     }
@@ -177,7 +165,7 @@ static void every_law_keeps_the_tangential_force_within_the_friction_limit(void)
             qn_reply r;
             t.velocity.x = v;
             t.slip = qn_v3(1e-6, 0, 2e-6);
-            evaluate((qn_law)law, &p, &wall_reach, &t, &r);
+            qn_contact_evaluate((qn_law)law, &p, &wall_reach, &t, &r);
             CHECK(qn_norm(r.tangential) <= p.friction * r.push * (1 + 1e-12));
             CHECK(r.tangential.x < 0);
             CHECK(r.lost_tangential >= 0 && r.lost_sliding >= 0 && r.lost_rolling >= 0);
@@ -220,8 +208,8 @@ static void every_law_is_the_same_seen_from_the_other_side(void)
                       t.spin_kick_a,
                       qn_scale(-1, t.slip)};
         qn_reply r, q;
-        evaluate((qn_law)law, &p, &g, &t, &r);
-        evaluate((qn_law)law, &p, &g, &u, &q);
+        qn_contact_evaluate((qn_law)law, &p, &g, &t, &r);
+        qn_contact_evaluate((qn_law)law, &p, &g, &u, &q);
         CHECK(r.push == q.push && r.tangential.x == -q.tangential.x && r.slip.y == -q.slip.y);
         CHECK(r.torque_a.z == q.torque_b.z && r.rolling.x == -q.rolling.x);
     }
@@ -260,7 +248,7 @@ static void a_hertz_collision_is_that_of_theory(void)
         memset(&t, 0, sizeof t);
         t.between = qn_v3(0, 0.0025 - depth, 0);
         qn_reach g = {0.0025, 0.0025, 0, 1, 0};
-        evaluate(QN_LAW_HERTZ_MINDLIN, &p, &g, &t, &r);
+        qn_contact_evaluate(QN_LAW_HERTZ_MINDLIN, &p, &g, &t, &r);
         v -= r.push / s.mass[0] * dt;
         deepest = qn_max(deepest, depth), force = qn_max(force, r.push);
     } while (depth > 0 && time < 1e-4);
