@@ -5,12 +5,12 @@
 // its row in laws.h. It is evaluated once per touching pair and step, always from the side with the
 // lower id (side a) to the other (side b): the normal n points from b to a.
 //
-// Positions are those of step n. Each velocity comes twice: `half` is v(n-1/2), which moved the
-// particles and so advances the history; `kick` is the change a(n-1) dt/2 that predicts v(n), and
-// dissipative forces use their sum (second order; algorithms of Vyas et al. 2024, arXiv 2410.14798,
-// show what asynchronous velocities do at large size ratios). The history advances in the contact plane
-// of step n - 1/2, whose normal m is that of step n less half a step's swing: with the normal of step n
-// a pair that turns as one body would drift by r dt/2 (W.n) W per second (a wall's normal stays its own).
+// Positions are those of step n. Velocities are v(n-1/2), which moved the particles and so advances the
+// history; `kick` beside them is the change a(n-1) dt/2 that predicts v(n), and dissipative forces use
+// the sum: second order, and in step with the positions (what half a step of delay does at large size
+// ratios: Vyas et al. 2024, arXiv 2410.14798). The history advances in the contact plane of n - 1/2,
+// whose normal m is that of step n less half a step's swing: with the normal of step n a pair that
+// turns as one body with spin W would drift by r dt/2 (W.n) W every second. A wall's normal stays.
 #ifndef QN_PHYSICS_CONTACT_H
 #define QN_PHYSICS_CONTACT_H
 
