@@ -63,6 +63,19 @@ static void every_law_has_a_normal_force_that_is_the_gradient_of_its_energy(void
     }
 }
 
+static void every_law_has_no_spring_force_at_zero_overlap(void)
+{
+    for (int law = 0; law < QN_LAW_COUNT; law++) {
+        qn_sides sides = ball_and_wall(0.6, true);
+        qn_pair p = qn_law_pair((qn_law)law, &sides);
+        qn_touch t = pressed(0, 0.1);
+        qn_reply r;
+        qn_contact_evaluate((qn_law)law, &p, &wall_reach, &t, &r);
+        CHECK(r.depth == 0 && r.elastic == 0 && r.stored_normal == 0 && r.residue == 0);
+        CHECK(isfinite(r.push) && isfinite(r.tangential.x) && isfinite(r.torque_a.z));
+    }
+}
+
 // Speed ratio of one bounce, by a leapfrog with `steps` steps in a contact of unclipped, undamped length.
 static double bounce(qn_law law, const qn_sides *sides, double speed)
 {
@@ -260,6 +273,7 @@ static void a_hertz_collision_is_that_of_theory(void)
 int main(int argc, char **argv)
 {
     TEST(every_law_has_a_normal_force_that_is_the_gradient_of_its_energy);
+    TEST(every_law_has_no_spring_force_at_zero_overlap);
     TEST(every_law_rebounds_with_the_restitution_asked_for_at_any_speed);
     TEST(the_thesis_law_rebounds_from_a_wall_as_its_figures_show);
     TEST(the_thesis_coefficients_are_those_of_its_table);
