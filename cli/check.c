@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `quern check`: what a scene will do, before a single step is done.
 #include "cli/cli.h"
+#include "cli/warnings.h"
 
 #include "record/json.h"
 #include "scene/forecast.h"
@@ -153,22 +154,6 @@ static void print_report(const qn_world *w, const qn_forecast *f)
 }
 
 /// What is allowed but hardly meant.
-static void print_warnings(const qn_world *w, const qn_forecast *f)
-{
-    double fraction = f->dt / f->timestep.rayleigh;
-    if (fraction > QN_RAYLEIGH_WARN)
-        fprintf(
-            stderr,
-            "warning: the time step is %.2f of the Rayleigh time; up to %.1f is usual, above %.0f "
-            "is refused\n",
-            fraction, QN_RAYLEIGH_WARN, QN_RAYLEIGH_REFUSE);
-    if (!isfinite(f->end))
-        fprintf(stderr, "warning: the drum never makes the turns that time.end asks for\n");
-    const qn_measure_def *m = &w->def.measure;
-    if (m->grid_count > 0 && !(qn_forecast_seconds(w, m->fields_start) < f->end))
-        fprintf(stderr, "warning: measure.fields starts after the end of the run\n");
-}
-
 static qn_status check(const char *path, bool as_json)
 {
     qn_def def;
@@ -191,7 +176,8 @@ static qn_status check(const char *path, bool as_json)
         status = print_json(w, &f);
     else
         print_report(w, &f);
-    print_warnings(w, &f);
+    char warnings[1024];
+    fputs(cli_warnings(w, &f, warnings, sizeof warnings), stderr);
     qn_world_destroy(w);
     return status;
 }

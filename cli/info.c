@@ -213,6 +213,11 @@ static qn_status print_info(const char *path)
     if (stat(path, &about) != 0) return qn_fail(QN_IO, "there is no file or folder %s", path);
     if (S_ISDIR(about.st_mode)) return print_folder(path);
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    const char *ending = strrchr(path, '.');
+    if (ending && strstr(".yaml.yml.json.csv.log.png", ending))
+        return qn_fail(
+            QN_INPUT, "%s is plain text or a picture: read it as it is ('quern check' for a scene)",
+            path);
     return H5Fis_hdf5(path) > 0 ? print_h5(path) : print_mesh(path);
 }
 

@@ -2,6 +2,7 @@
 // `quern run`: a scene into a run folder, from its start or from where it was left.
 #include "cli/cli.h"
 #include "cli/progress.h"
+#include "cli/warnings.h"
 #include "measure/measure.h"
 #include "record/recorder.h"
 #include "scene/scene.h"
@@ -34,6 +35,8 @@ typedef struct run {
     progress progress;
     bool warned;  // of a large overlap
     bool pictures;
+    const char *scene;  // not owned
+    qn_timestep timestep;
 } run;
 
 static volatile sig_atomic_t stop_asked;
@@ -138,7 +141,9 @@ static qn_status prepare(run *r, const options *o)
     if (status != QN_OK) return told ? qn_fail(status, "nothing was started or written") : status;
     QN_TRY(read_text(o->scene, &r->text));
     if (o->has_end) r->def.end = o->end;
+    r->scene = o->scene;
     QN_TRY(qn_scene_resolved(&r->def, &r->resolved));
+    QN_TRY(qn_forecast_timestep(&r->def, &r->timestep));
     QN_TRY(qn_world_create(&r->def, o->threads, &r->world));
     r->pictures = o->pictures && r->world->def.output.pictures;
     return qn_measure_create(r->world, &r->measure);
@@ -196,9 +201,10 @@ static qn_status go(run *r, int64_t end)
     if (r->world->step >= end) return QN_OK;
     progress_break(&r->progress);
     return qn_fail(QN_INTERRUPTED,
-                   "stopped at %g s (step %lld) with a checkpoint; go on with "
+                   "stopped at %g s (step %lld) with a checkpoint; go on with: quern run %s -o %s "
                    "--resume",
-                   qn_world_time(r->world), (long long)r->world->step);
+                   qn_world_time(r->world), (long long)r->world->step, r->scene,
+                   r->recorder.folder.path);
 }
 
 // A run can only go forward. Looked at before the folder is opened, which cuts off what it will
@@ -216,6 +222,32 @@ static qn_status check_not_past(const char *folder, int64_t end)
                    folder, (long long)newest, (long long)end);
 }
 
+// What `quern check` would have warned of, on the terminal and in the log.
+static void warn_at_start(run *r)
+{
+    char text[1024], *line = text, *next;
+    qn_forecast forecast = qn_forecast_of(r->world, &r->timestep);
+    cli_warnings(r->world, &forecast, text, sizeof text);
+    fputs(text, stderr);
+    for (; (next = strchr(line, '\n')) != NULL; line = next + 1) {
+        *next = 0;
+        qn_recorder_log(&r->recorder, "%s", line);
+    }
+}
+
+// The result in a line or two; the rest is in summary.json.
+static void print_result(const run *r)
+{
+    qn_power power = qn_passages_power(&r->measure.passages);
+    double residual = qn_measure_value(&r->measure, r->recorder.row, "residual_relative");
+    if (isfinite(power.torque))
+        fprintf(stderr, "power %.4g +- %.2g W over %lld lifter passages, %s (drift %+.1f %%)\n",
+                power.torque, power.standard_error, (long long)power.passages,
+                power.steady ? "steady" : "not steady", 100 * power.drift / power.torque);
+    if (isfinite(residual)) fprintf(stderr, "energy residual %.2g of the turnover; ", residual);
+    fprintf(stderr, "results in %s\n", r->recorder.folder.path);
+}
+
 static qn_status record(run *r, const options *o)
 {
     const char *folder = o->folder ? o->folder : r->world->def.output.directory;
@@ -227,6 +259,9 @@ static qn_status record(run *r, const options *o)
     QN_TRY(qn_recorder_open(&r->recorder, folder, o->mode, r->text, r->resolved, r->world,
                             &r->measure));
     if (r->recorder.note[0]) fprintf(stderr, "%s\n", r->recorder.note);
+    if (o->mode == QN_RESUME && r->recorder.resumed_step < 0)
+        fprintf(stderr, "there is no checkpoint in %s yet: starting at step 0\n", folder);
+    warn_at_start(r);
     if (!o->quiet)
         fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,
                 r->world->count, (long long)end, r->world->dt, r->world->threads, folder);
@@ -249,6 +284,7 @@ int cli_run(int argc, char **argv)
     sigaction(SIGTERM, &action, NULL);
     status = prepare(&r, &o);
     if (status == QN_OK) status = record(&r, &o);
+    if (status == QN_OK && !o.quiet) print_result(&r);
     if (status != QN_OK) fprintf(stderr, "quern run: %s\n", qn_error());
     char folder[QN_FILE_NAME_MAX];
     snprintf(folder, sizeof folder, "%s", r.recorder.folder.path);

@@ -63,8 +63,9 @@ def main():
 def report(written, skipped):
     for path in written:
         print(f"  {path}")
-    for line in skipped:
-        print(f"  skipped {line}")
+    if skipped:
+        names = ", ".join(line.split(":")[0] for line in skipped)
+        print(f"  not drawn, as this run did not record them: {names}")
     if not written:
         print("  nothing to draw yet")
 

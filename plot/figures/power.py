@@ -48,6 +48,8 @@ def measured_window(run):
 def power(run, gallery):
     ledger = Ledger(run.series)
     time = ledger.time
+    if run.number("speed_rad_s") is None and run.number("steps") is not None:
+        raise NotRecorded("there is no drum")
     if len(time) < 3:
         raise NotRecorded("series.csv holds fewer than three rows")
     curves = [("torque × speed", ledger.work(), BLUE),
@@ -68,8 +70,9 @@ def power(run, gallery):
     axes.set_xlim(time[0], time[-1])
     axes.set_xlabel("time $t$ (s)")
     axes.set_ylabel("power (W)")
-    axes.legend(loc="upper left", ncol=3, title=f"lines: running mean over {width:.2g} s",
-                title_fontsize=7, alignment="left")
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.01), ncol=3, borderaxespad=0, alignment="left",
+                title=f"lines: running mean over {width:.2g} s, pale: each row, grey: window of the mean",
+                title_fontsize=7)
     gallery.save(figure, "power")
 
 
@@ -83,6 +86,9 @@ def show_mean(axes, run):
     if mean is None:
         return
     text = f"mean torque power {with_error(mean, error)} W"
+    drift = run.number("power_drift_w")
+    if run.summary.get("steady") is False and drift is not None and mean:
+        text += f", not steady: drift {100 * drift / mean:+.0f} %"
     axes.plot(limits, [mean, mean], color="black", lw=1.0, ls=(0, (5, 2)), label=text,
               zorder=4)
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean velocity as arrows coloured by speed, at each resolution."""
+"""Mean velocity as arrows coloured by speed, at each resolution.
+
+A grid too fine for an arrow in every voxel shows the speed of every voxel as colour, and fewer arrows."""
 import numpy as np
 
 from figures.folder import NotRecorded
@@ -7,6 +9,7 @@ from figures.maps import each_and_together
 from figures.style import MM, clip_to_drum, draw_outline, mill_axes, round_limit
 
 LONGEST = 2.8  # 1   length of the arrow of the largest speed shown, in voxels
+ACROSS = 64    # 1   arrows that can be told apart across the drum
 
 
 def draw_arrows(axes, run, grid, top):
@@ -17,14 +20,27 @@ def draw_arrows(axes, run, grid, top):
     seen = np.isfinite(speed)
     if run.drum_radius:
         seen &= np.hypot(x, y) < run.drum_radius
+    every = max(1, round(speed.shape[1] / ACROSS))
+    colours = {"cmap": "viridis", "clim": (0, top)}
+    picture = None
+    if every > 1:
+        picture = axes.pcolormesh(x * MM, y * MM, np.where(seen, speed, np.nan), shading="nearest",
+                                  cmap="viridis", vmin=0, vmax=top, rasterized=True)
+        clip_to_drum(picture, axes, run)
+        thin = np.zeros_like(seen)
+        thin[every // 2::every, every // 2::every] = True
+        seen &= thin
+        colours = {"color": "white"}
     shown = np.minimum(1, top / np.maximum(speed[seen], 1e-30))  # arrows off the scale end at it
-    picture = axes.quiver(x[seen] * MM, y[seen] * MM, vx[seen] * shown, vy[seen] * shown,
-                          speed[seen], angles="xy", scale_units="xy", pivot="mid",
-                          scale=top / (LONGEST * grid.cell * MM), units="xy",
-                          width=0.28 * grid.cell * MM, headwidth=2.6, headlength=3.4,
-                          headaxislength=3, minlength=0.5, cmap="viridis", clim=(0, top),
-                          rasterized=speed.size > 2e4)
-    clip_to_drum(picture, axes, run)
+    values = [] if every > 1 else [speed[seen]]
+    side = every * grid.cell * MM
+    arrows = axes.quiver(x[seen] * MM, y[seen] * MM, vx[seen] * shown, vy[seen] * shown, *values,
+                         angles="xy", scale_units="xy", pivot="mid",
+                         scale=top / (LONGEST * side), units="xy",
+                         width=(0.18 if every > 1 else 0.28) * side, headwidth=2.6, headlength=3.4,
+                         headaxislength=3, minlength=0.5, **colours)
+    clip_to_drum(arrows, axes, run)
+    picture = picture or arrows
     draw_outline(axes, run)
     mill_axes(axes, run)
     return picture

@@ -66,7 +66,7 @@ qn_forecast qn_forecast_of(const qn_world *w, const qn_timestep *timestep)
         solid += c->mass / w->def.materials[c->material].density;
     }
     f.end = qn_forecast_seconds(w, w->def.end);
-    f.steps = isfinite(f.end) ? (int64_t)ceil(f.end / w->dt - 1e-6) : 0;
+    f.steps = isfinite(f.end) ? (int64_t)floor(f.end / w->dt + 0.5) : 0;
     if (drum->present) {
         f.critical_speed = sqrt(2 * qn_norm(w->gravity) / drum->diameter);
         f.speed = drum->legs[drum->leg_count - 1].to;

@@ -81,8 +81,7 @@ static qn_status no_law(const qn_def *def, int a, int b)
                    def->materials[b].name);
 }
 
-// Whether particles of two classes can meet: not where both are fixed, nor where there is but one.
-static bool can_meet(const qn_def *def, const qn_class *a, const qn_class *b)
+bool qn_classes_can_meet(const qn_def *def, const qn_class *a, const qn_class *b)
 {
     const qn_group_def *group = &def->groups[a->group];
     bool alone = a == b && group->packing == QN_PACK_LIST && group->list_count < 2;
@@ -98,7 +97,7 @@ static qn_status pairs_of_classes(qn_world *w)
             const qn_contact_def *contact = qn_def_contact(&w->def, ca->material, cb->material);
             w->reaches[a * n + b] =
                 (qn_reach){ca->radius + cb->radius, ca->radius, cb->radius, 0.5, 0.5};
-            if (!can_meet(&w->def, ca, cb)) continue;
+            if (!qn_classes_can_meet(&w->def, ca, cb)) continue;
             if (!contact) return no_law(&w->def, ca->material, cb->material);
             qn_sides sides = qn_sides_of_classes(&w->def, contact, ca, cb, w->dt);
             w->laws[a * n + b] = contact->law;

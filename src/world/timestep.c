@@ -89,7 +89,7 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
         for (int b = 0; b < class_count; b++) {
             const qn_contact_def *contact = qn_def_contact(def, c->material, classes[b].material);
             qn_sides sides;
-            if (!contact) continue;
+            if (!contact || !qn_classes_can_meet(def, c, &classes[b])) continue;
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);
             take_pair(&t, contact, &sides);
         }

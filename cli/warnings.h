@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `quern check` and `quern run` both say of a scene that can run but perhaps should not.
+#ifndef QN_CLI_WARNINGS_H
+#define QN_CLI_WARNINGS_H
+
+#include "scene/forecast.h"
+
+/// Writes the warnings, a line each, to `text`; returns it. Empty where there is nothing to say.
+const char *cli_warnings(const qn_world *world, const qn_forecast *forecast, char *text,
+                         size_t room);
+
+#endif
