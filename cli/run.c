@@ -228,7 +228,7 @@ static void warn_at_start(run *r)
     char text[1024], *line = text, *next;
     qn_forecast forecast = qn_forecast_of(r->world, &r->timestep);
     cli_warnings(r->world, &forecast, text, sizeof text);
-    fputs(text, stderr);
+    if (!r->progress.quiet) fputs(text, stderr);
     for (; (next = strchr(line, '\n')) != NULL; line = next + 1) {
         *next = 0;
         qn_recorder_log(&r->recorder, "%s", line);
@@ -261,6 +261,7 @@ static qn_status record(run *r, const options *o)
     if (r->recorder.note[0]) fprintf(stderr, "%s\n", r->recorder.note);
     if (o->mode == QN_RESUME && r->recorder.resumed_step < 0)
         fprintf(stderr, "there is no checkpoint in %s yet: starting at step 0\n", folder);
+    r->progress.quiet = o->quiet;
     warn_at_start(r);
     if (!o->quiet)
         fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,

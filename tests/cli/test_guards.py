@@ -53,7 +53,10 @@ def kept():
     before = {k: v for k, v in tree("out").items() if "checkpoint_" in k or "failed" in k}
     assert len(before) >= 2
     step = int(checkpoints("out")[-1].stem.split("_")[1])
-    run("shot.yaml", "out", "--resume", "--steps", step).expect(0)
+    failed = int(next(pathlib.Path("out").glob("failed_*.h5")).stem.split("_")[1])
+    assert step <= failed
+    # A checkpoint may fall on the very step whose forces fail: good as a state, but not to be looked at.
+    run("shot.yaml", "out", "--resume", "--steps", step).expect(0 if step < failed else UNSTABLE)
     after = tree("out")
     assert all(name in after for name in before), "the failed state or a checkpoint is gone"
 
