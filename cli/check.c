@@ -168,8 +168,7 @@ static qn_status check(const char *path, bool as_json)
     if (status == QN_OK) status = qn_world_create(&def, 0, &w);
     qn_def_free(&def);
     if (status != QN_OK) {
-        fprintf(stderr, "%s: error: %s\n", path, qn_error());
-        return status;
+        return cli_blame(path, status);
     }
     qn_forecast f = qn_forecast_of(w, &timestep);
     if (as_json)

@@ -117,19 +117,6 @@ static qn_status parse(int argc, char **argv, options *o)
     return QN_OK;
 }
 
-static qn_status read_text(const char *path, char **text)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file) return qn_fail(QN_IO, "%s: %s", path, strerror(errno));
-    fseek(file, 0, SEEK_END);
-    long size = ftell(file);
-    rewind(file);
-    *text = calloc(1, (size_t)(size > 0 ? size : 0) + 1);
-    bool whole = *text && fread(*text, 1, (size_t)size, file) == (size_t)size;
-    fclose(file);
-    return whole ? QN_OK : qn_fail(QN_IO, "%s could not be read", path);
-}
-
 // Scene, world and measures; nothing is written.
 static qn_status prepare(run *r, const options *o)
 {
@@ -139,12 +126,17 @@ static qn_status prepare(run *r, const options *o)
     bool told = messages.errors > 0;
     qn_messages_free(&messages);
     if (status != QN_OK) return told ? qn_fail(status, "nothing was started or written") : status;
-    QN_TRY(read_text(o->scene, &r->text));
+    QN_TRY(qn_scene_text(o->scene, &r->text));
     if (o->has_end) r->def.end = o->end;
     r->scene = o->scene;
     QN_TRY(qn_scene_resolved(&r->def, &r->resolved));
     QN_TRY(qn_forecast_timestep(&r->def, &r->timestep));
-    QN_TRY(qn_world_create(&r->def, o->threads, &r->world));
+    status = qn_world_create(&r->def, o->threads, &r->world);
+    if (status == QN_INPUT) {
+        cli_blame(o->scene, status);
+        return qn_fail(QN_INPUT, "nothing was started or written");
+    }
+    QN_TRY(status);
     r->pictures = o->pictures && r->world->def.output.pictures;
     return qn_measure_create(r->world, &r->measure);
 }

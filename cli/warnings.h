@@ -9,4 +9,8 @@
 const char *cli_warnings(const qn_world *world, const qn_forecast *forecast, char *text,
                          size_t room);
 
+/// Prints what qn_world_create() said of a scene, with the place in the scene it points to; returns
+/// `status`.
+qn_status cli_blame(const char *path, qn_status status);
+
 #endif

@@ -104,6 +104,20 @@ static qn_status read_stream(FILE *file, const char *path, char **text, size_t *
     return QN_OK;
 }
 
+qn_status qn_scene_text(const char *path, char **text)
+{
+    qn_messages messages = {0};
+    size_t length = 0;
+    FILE *file = fopen(path, "rb");
+    if (!file) return qn_fail(QN_IO, "%s: %s", path, strerror(errno));
+    *text = NULL;
+    qn_status status = read_stream(file, path, text, &length, &messages);
+    fclose(file);
+    qn_messages_free(&messages);
+    if (status == QN_OK) (*text)[length] = 0;
+    return status;
+}
+
 qn_status qn_scene_read(const char *path, qn_def *def, qn_messages *messages)
 {
     *def = qn_def_default();

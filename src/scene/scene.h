@@ -34,6 +34,15 @@ QN_NODISCARD qn_status qn_scene_read_text(const char *text, size_t length, const
                                           const char *directory, qn_def *def,
                                           qn_messages *messages);
 
+/// Reads the text of a scene file whole, zero-terminated; *text is to be released with free(). QN_IO if
+/// that is not possible.
+QN_NODISCARD qn_status qn_scene_text(const char *path, char **text);
+
+/// Adds what qn_world_create() said of a scene, a sentence that begins with the path of a key, to the
+/// messages with the place of that key in the scene's text.
+void qn_scene_blame(const char *path, const char *text, const char *sentence,
+                    qn_messages *messages);
+
 /// Every key of a definition with its value in SI units, defaults included, as the text of a scene;
 /// *text is to be released with free(). What came from files (meshes, profiles, lists of particles) is
 /// named in comments. Call it before qn_world_create(), which empties the definition.

@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "world/classes.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -219,9 +220,20 @@ static int64_t plan(const qn_def *def, const qn_walls *walls, lattice *lat, int6
     return total;
 }
 
+// The key that asks for the particles of the first packed group, as "particles.balls.count".
+static const char *amount_path(const qn_def *def, char path[2 * QN_NAME_MAX])
+{
+    static const char *const keys[] = {"count", "filling", "mass"};
+    const qn_group_def *g = def->groups;
+    while (g->packing == QN_PACK_LIST) g++;
+    snprintf(path, 2 * QN_NAME_MAX, "particles.%s.%s", g->name, keys[g->amount_kind]);
+    return path;
+}
+
 static qn_status pack_all(const qn_def *def, const qn_class *classes, const qn_walls *walls,
                           lattice *lat, int64_t *group_wanted, qn_seedling **seedlings, int *count)
 {
+    char path[2 * QN_NAME_MAX];
     int64_t total = plan(def, walls, lat, group_wanted), listed = 0;
     for (int k = 0; k < def->group_count; k++)
         if (def->groups[k].packing == QN_PACK_LIST) listed += def->groups[k].list_count;
@@ -238,9 +250,9 @@ static qn_status pack_all(const qn_def *def, const qn_class *classes, const qn_w
     QN_TRY(lat->cubic ? fill_cubic(lat) : fill_hcp(lat));
     keep_clear(lat, walls, classes, *seedlings, *count);
     if (lat->count < total)
-        return qn_fail(
-            QN_INPUT, "particles: %lld do not fit, at most %lld do (%s, padded radius %g m)",
-            (long long)total, (long long)lat->count, lat->cubic ? "grid" : "hcp", lat->pad);
+        return qn_fail(QN_INPUT, "%s: %lld do not fit, at most %lld do (%s, padded radius %g m)",
+                       amount_path(def, path), (long long)total, (long long)lat->count,
+                       lat->cubic ? "grid" : "hcp", lat->pad);
     return place_packed(def, classes, lat, group_wanted, total, *seedlings, count);
 }
 
