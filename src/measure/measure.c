@@ -125,11 +125,6 @@ static bool balance_due(const qn_measure *m, int64_t step)
            || qn_passages_due(&m->passages, step);
 }
 
-bool qn_measure_due(const qn_measure *m, const qn_world *w)
-{
-    return balance_due(m, w->step) || qn_measure_fields_due(m, w->step);
-}
-
 qn_status qn_measure_sample(qn_measure *m, const qn_world *w)
 {
     if (balance_due(m, w->step)) {

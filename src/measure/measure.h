@@ -38,9 +38,6 @@ bool qn_measure_series_due(const qn_measure *measure, int64_t step);
 bool qn_measure_fields_due(const qn_measure *measure, int64_t step);
 bool qn_measure_traces_due(const qn_measure *measure, int64_t step);
 
-/// Whether anything but a trace is due at the present step.
-bool qn_measure_due(const qn_measure *measure, const qn_world *world);
-
 /// Adds the present step to fields, ring and passages where they are due, and fills series.row where
 /// a row is. Once per step; nothing where nothing is due.
 QN_NODISCARD qn_status qn_measure_sample(qn_measure *measure, const qn_world *world);

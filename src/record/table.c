@@ -26,11 +26,6 @@ static const struct {
 #undef T
 };
 
-size_t qn_type_bytes(qn_type type)
-{
-    return types[type].bytes;
-}
-
 static hid_t native(qn_type type)
 {
     switch (type) {

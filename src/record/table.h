@@ -27,7 +27,4 @@ QN_NODISCARD qn_status qn_table_read(hid_t parent, const char *name, const qn_co
 QN_NODISCARD qn_status qn_table_rows(hid_t parent, const char *name, const char *column,
                                      int64_t *rows);
 
-/// Bytes of one number of a type.
-size_t qn_type_bytes(qn_type type);
-
 #endif

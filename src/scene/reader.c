@@ -42,16 +42,6 @@ void qn_complain_at(qn_reader *r, qn_mark mark, const char *format, ...)
     qn_message(r->messages, &r->source, QN_ERROR, mark, "%s", sentence);
 }
 
-void qn_warn_at(qn_reader *r, qn_mark mark, const char *format, ...)
-{
-    char sentence[1024];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(sentence, sizeof sentence, format, args);
-    va_end(args);
-    qn_message(r->messages, &r->source, QN_WARNING, mark, "%s", sentence);
-}
-
 /// Path of a section, kept as long as the tree.
 static const char *keep(qn_reader *r, const char *path)
 {

@@ -39,10 +39,8 @@ bool qn_value_read(qn_reader *r, const char *text, qn_value *v);
 void qn_complain(qn_reader *r, const qn_value *v, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// An error or warning at a place, in a sentence of its own.
+/// An error at a place, in a sentence of its own.
 void qn_complain_at(qn_reader *r, qn_mark mark, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-void qn_warn_at(qn_reader *r, qn_mark mark, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /// The name of a material, group or wall; false, with a message, if it can't be one.
