@@ -37,7 +37,7 @@ static qn_status make(const char *path, int threads, qn_world **world)
 {
     qn_def def;
     qn_messages messages = {0};
-    qn_status status = qn_scene_read(path, &def, &messages);
+    qn_status status = qn_scene_read(path, &def, NULL, &messages);
     qn_messages_free(&messages);
     QN_TRY(status);
     QN_TRY(qn_world_create(&def, threads, world));

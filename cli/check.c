@@ -153,31 +153,35 @@ static void print_report(const qn_world *w, const qn_forecast *f)
     print_pairs(w);
 }
 
-/// What is allowed but hardly meant.
-static qn_status check(const char *path, bool as_json)
+static qn_status report(const char *path, const char *text, qn_def *def, bool as_json)
 {
-    qn_def def;
-    qn_messages messages = {0};
-    qn_status status = qn_scene_read(path, &def, &messages);
-    if (messages.text) fputs(messages.text, stderr);
-    qn_messages_free(&messages);
-    if (status != QN_OK) return status;
     qn_world *w;
     qn_timestep timestep;
-    status = qn_forecast_timestep(&def, &timestep);
-    if (status == QN_OK) status = qn_world_create(&def, 0, &w);
-    qn_def_free(&def);
-    if (status != QN_OK) {
-        return cli_blame(path, status);
-    }
+    qn_status status = qn_forecast_timestep(def, &timestep);
+    if (status == QN_OK) status = qn_world_create(def, 0, &w);
+    if (status != QN_OK) return cli_blame(path, text, status);
     qn_forecast f = qn_forecast_of(w, &timestep);
     if (as_json)
         status = print_json(w, &f);
     else
         print_report(w, &f);
-    char warnings[1024];
+    char warnings[2048];
     fputs(cli_warnings(w, &f, warnings, sizeof warnings), stderr);
     qn_world_destroy(w);
+    return status;
+}
+
+static qn_status check(const char *path, bool as_json)
+{
+    qn_def def;
+    char *text;
+    qn_messages messages = {0};
+    qn_status status = qn_scene_read(path, &def, &text, &messages);
+    if (messages.text) fputs(messages.text, stderr);
+    qn_messages_free(&messages);
+    if (status == QN_OK) status = report(path, text, &def, as_json);
+    qn_def_free(&def);
+    free(text);
     return status;
 }
 

@@ -29,6 +29,7 @@ typedef struct options {
 typedef struct run {
     qn_def def;
     char *text, *resolved;
+    char *changes;  // of the scene since the run began; NULL where it did not go on
     qn_world *world;
     qn_measure measure;
     qn_recorder recorder;
@@ -121,19 +122,18 @@ static qn_status parse(int argc, char **argv, options *o)
 static qn_status prepare(run *r, const options *o)
 {
     qn_messages messages = {0};
-    qn_status status = qn_scene_read(o->scene, &r->def, &messages);
+    qn_status status = qn_scene_read(o->scene, &r->def, &r->text, &messages);
     if (messages.text) fputs(messages.text, stderr);
     bool told = messages.errors > 0;
     qn_messages_free(&messages);
     if (status != QN_OK) return told ? qn_fail(status, "nothing was started or written") : status;
-    QN_TRY(qn_scene_text(o->scene, &r->text));
     if (o->has_end) r->def.end = o->end;
     r->scene = o->scene;
     QN_TRY(qn_scene_resolved(&r->def, &r->resolved));
     QN_TRY(qn_forecast_timestep(&r->def, &r->timestep));
     status = qn_world_create(&r->def, o->threads, &r->world);
     if (status == QN_INPUT) {
-        cli_blame(o->scene, status);
+        cli_blame(o->scene, r->text, status);
         return qn_fail(QN_INPUT, "nothing was started or written");
     }
     QN_TRY(status);
@@ -240,20 +240,48 @@ static void print_result(const run *r)
     fprintf(stderr, "results in %s\n", r->recorder.folder.path);
 }
 
+// The scene may have changed since the run began, but not in what its motion depends on.
+static qn_status check_continues(run *r, const char *folder)
+{
+    char path[QN_FILE_NAME_MAX], *before;
+    int64_t length;
+    if (!qn_file_exists(qn_path_join(path, folder, "resolved.yaml"))) return QN_OK;
+    QN_TRY(qn_file_read(path, &before, &length));
+    qn_status status = qn_scene_continues(before, r->resolved, &r->changes);
+    free(before);
+    if (status != QN_INPUT) return status;
+    cli_blame(r->scene, r->text, status);
+    return qn_fail(QN_INPUT, "nothing was changed in %s", folder);
+}
+
+// What a resumed run does otherwise than before, on the terminal and in the log.
+static void tell_changes(run *r)
+{
+    char *line = r->changes, *next;
+    for (; line && (next = strchr(line, '\n')) != NULL; line = next + 1) {
+        *next = 0;
+        if (!r->progress.quiet) fprintf(stderr, "going on with %s\n", line);
+        qn_recorder_log(&r->recorder, "going on with %s", line);
+    }
+}
+
 static qn_status record(run *r, const options *o)
 {
     const char *folder = o->folder ? o->folder : r->world->def.output.directory;
     int64_t end = qn_span_steps(r->world, r->world->def.end);
     if (end == INT64_MAX)
         return qn_fail(QN_INPUT, "the end of the run never comes: the drum does not turn so far");
+    qn_recorded_scene scene = {r->text, r->resolved, 0};
+    QN_TRY(qn_scene_hash(r->resolved, &scene.hash));
+    if (o->mode == QN_RESUME) QN_TRY(check_continues(r, folder));
     if (o->mode == QN_RESUME) QN_TRY(check_not_past(folder, end));
     QN_TRY(qn_step_begin(r->world));
-    QN_TRY(qn_recorder_open(&r->recorder, folder, o->mode, r->text, r->resolved, r->world,
-                            &r->measure));
+    QN_TRY(qn_recorder_open(&r->recorder, folder, o->mode, &scene, r->world, &r->measure));
     if (r->recorder.note[0]) fprintf(stderr, "%s\n", r->recorder.note);
     if (o->mode == QN_RESUME && r->recorder.resumed_step < 0)
         fprintf(stderr, "there is no checkpoint in %s yet: starting at step 0\n", folder);
     r->progress.quiet = o->quiet;
+    tell_changes(r);
     warn_at_start(r);
     if (!o->quiet)
         fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,
@@ -287,6 +315,7 @@ int cli_run(int argc, char **argv)
     qn_def_free(&r.def);
     free(r.text);
     free(r.resolved);
+    free(r.changes);
     if (status == QN_OK && r.pictures) cli_plot_run(folder);
     return qn_status_exit(status);
 }

@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define LEAST_STEPS 10.0  // 1   steps in a contact: below it, a warning
@@ -45,14 +44,13 @@ const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, si
     return text;
 }
 
-qn_status cli_blame(const char *path, qn_status status)
+qn_status cli_blame(const char *path, const char *text, qn_status status)
 {
     qn_messages messages = {0};
-    char *text = NULL, sentence[2048];
+    char sentence[2048];
     snprintf(sentence, sizeof sentence, "%s", qn_error());
-    if (qn_scene_text(path, &text) == QN_OK) qn_scene_blame(path, text, sentence, &messages);
+    qn_scene_blame(path, text, sentence, &messages);
     fprintf(stderr, "%s", messages.text ? messages.text : sentence);
     qn_messages_free(&messages);
-    free(text);
     return status;
 }

@@ -9,8 +9,8 @@
 const char *cli_warnings(const qn_world *world, const qn_forecast *forecast, char *text,
                          size_t room);
 
-/// Prints what qn_world_create() said of a scene, with the place in the scene it points to; returns
-/// `status`.
-qn_status cli_blame(const char *path, qn_status status);
+/// Prints the error that begins with a key of a scene (qn_world_create(), qn_scene_continues()), with the
+/// place of that key in the scene's text; returns `status`.
+qn_status cli_blame(const char *path, const char *text, qn_status status);
 
 #endif

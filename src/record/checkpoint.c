@@ -202,7 +202,7 @@ static qn_status check_about(hid_t file, const qn_world *w, const qn_progress *p
                        QN_CHECKPOINT_FORMAT);
     if ((uint64_t)scene_hash != p->scene_hash)
         return qn_fail(QN_INPUT, "it is of another scene than the one given; go on with the "
-                                 "scene.yaml of its own folder");
+                                 "scene it was made from");
     if (dt != w->dt)
         return qn_fail(QN_INPUT, "its time step is %.17g s, that of this run %.17g s", dt, w->dt);
     return QN_OK;

@@ -15,7 +15,7 @@
 
 /// What a run remembers besides world and measures.
 typedef struct qn_progress {
-    uint64_t scene_hash;  //     of the text of the scene
+    uint64_t scene_hash;  //     of the keys of the scene that the run depends on
     uint64_t state_hash;  //     of the state last written or read
     double wall;          // s   spent computing so far
     int64_t frame_count, frame_room;

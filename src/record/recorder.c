@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recorder.h"
 
-#include "base/hash.h"
 #include "record/fields_file.h"
 #include "record/frames.h"
 #include "record/series_h5.h"
@@ -32,24 +31,13 @@ static const char *in_folder(const qn_recorder *rec, char path[QN_FILE_NAME_MAX]
 
 // ---- Opening -------------------------------------------------------------------------------------
 
-/// The scene is kept beside what it made; a folder of another scene is not gone on with.
-static qn_status keep_texts(qn_recorder *rec, const char *scene_text, const char *resolved_text)
+/// The scene is kept beside what it made; that of a run that goes on may differ from the one before in
+/// what neither motion nor checkpoints depend on.
+static qn_status keep_scene(qn_recorder *rec, const qn_recorded_scene *scene)
 {
-    char path[QN_FILE_NAME_MAX], *text;
-    int64_t length;
-    rec->progress.scene_hash = qn_hash(QN_HASH_START, scene_text, strlen(scene_text));
-    if (qn_file_exists(in_folder(rec, path, "scene.yaml"))) {
-        QN_TRY(qn_file_read(path, &text, &length));
-        bool same = strcmp(text, scene_text) == 0;
-        free(text);
-        if (!same)
-            return qn_fail(QN_INPUT,
-                           "the run in %s was made from another scene; go on with %s, or start "
-                           "anew with --force",
-                           rec->folder.path, path);
-    } else
-        QN_TRY(qn_atomic_text(path, scene_text));
-    return qn_atomic_text(in_folder(rec, path, "resolved.yaml"), resolved_text);
+    char path[QN_FILE_NAME_MAX];
+    QN_TRY(qn_atomic_text(in_folder(rec, path, "scene.yaml"), scene->text));
+    return qn_atomic_text(in_folder(rec, path, "resolved.yaml"), scene->resolved);
 }
 
 /// Tries the checkpoints, newest first; damaged ones get another name.
@@ -90,12 +78,13 @@ static qn_status open_files(qn_recorder *rec, const qn_world *world, const qn_me
     return qn_frames_cut(in_folder(rec, path, "frames"), rec->progress.frame_count);
 }
 
-static qn_status prepare(qn_recorder *rec, qn_run_mode mode, const char *scene_text,
-                         const char *resolved_text, qn_world *world, qn_measure *measure)
+static qn_status prepare(qn_recorder *rec, qn_run_mode mode, const qn_recorded_scene *scene,
+                         qn_world *world, qn_measure *measure)
 {
     qn_span every = world->def.output.frames_every;
-    QN_TRY(keep_texts(rec, scene_text, resolved_text));
+    rec->progress.scene_hash = scene->hash;
     if (mode == QN_RESUME) QN_TRY(load_newest(rec, world, measure));
+    QN_TRY(keep_scene(rec, scene));
     QN_TRY(open_files(rec, world, measure));
     rec->frame_stride = every.value > 0 ? qn_span_steps(world, every) : 0;
     rec->wall_before = rec->progress.wall;
@@ -106,13 +95,12 @@ static qn_status prepare(qn_recorder *rec, qn_run_mode mode, const char *scene_t
 }
 
 qn_status qn_recorder_open(qn_recorder *rec, const char *folder, qn_run_mode mode,
-                           const char *scene_text, const char *resolved_text, qn_world *world,
-                           qn_measure *measure)
+                           const qn_recorded_scene *scene, qn_world *world, qn_measure *measure)
 {
     *rec = (qn_recorder){.checkpoint_step = -1, .resumed_step = -1, .series_step = -1};
     QN_TRY(qn_run_folder_open(&rec->folder, folder, mode));
     rec->opened = rec->checkpointed = clock_now();
-    qn_status status = prepare(rec, mode, scene_text, resolved_text, world, measure);
+    qn_status status = prepare(rec, mode, scene, world, measure);
     if (status != QN_OK) qn_recorder_close(rec);
     return status;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The recorder: everything a run leaves on disk, and how it goes on after any kind of end.
 //
-//     qn_recorder_open(&rec, folder, mode, scene, resolved, world, measure)
+//     qn_recorder_open(&rec, folder, mode, &scene, world, measure)
 //     each step:  qn_step_forces(world, QN_COMMIT)
 //                 qn_measure_sample(measure, world)
 //                 qn_recorder_sample(&rec, world, measure)
@@ -34,13 +34,19 @@ typedef struct qn_recorder {
     char note[1024];             //     what a person should know of the opening; "" for nothing
 } qn_recorder;
 
+/// What a run folder keeps of its scene; nothing here is owned.
+typedef struct qn_recorded_scene {
+    const char *text, *resolved;  // scene.yaml and resolved.yaml
+    uint64_t hash;                // of the keys that a run can't change when it goes on
+} qn_recorded_scene;
+
 /// Opens a run folder. With QN_RESUME the newest checkpoint that can be read is put into world and
 /// measures, and all files are cut to its step; damaged ones are set aside (`note` says so). QN_INPUT
-/// where the folder may not be written or holds another scene.
+/// where the folder may not be written or its checkpoint is of a scene with another hash.
 /// On failure the recorder is closed.
 QN_NODISCARD qn_status qn_recorder_open(qn_recorder *rec, const char *folder, qn_run_mode mode,
-                                        const char *scene_text, const char *resolved_text,
-                                        qn_world *world, qn_measure *measure);
+                                        const qn_recorded_scene *scene, qn_world *world,
+                                        qn_measure *measure);
 
 /// Writes what is due at the present step. Between qn_measure_sample() and qn_step_advance().
 QN_NODISCARD qn_status qn_recorder_sample(qn_recorder *rec, qn_world *world,

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The deepest node that the path at the start of a sentence ("drum.length = ...") leads to.
+// The deepest node that the path at the start of a sentence leads to ("drum.length = ..." and
+// "drum.schedule[2].to = ...").
 static qn_mark place_of(const qn_node *root, const char *sentence)
 {
     char key[64];
@@ -17,7 +18,12 @@ static qn_mark place_of(const qn_node *root, const char *sentence)
         size_t length = strcspn(at, ".: =");
         if (length == 0 || length >= sizeof key) break;
         snprintf(key, sizeof key, "%.*s", (int)length, at);
+        char *bracket = strchr(key, '[');
+        int number = bracket ? atoi(bracket + 1) : 0;
+        if (bracket) *bracket = 0;
         node = qn_node_child(node, key);
+        if (number > 0 && node && node->kind == QN_NODE_LIST)
+            for (node = node->first; node && number > 1; number--) node = node->next;
         if (node) mark = node->kind == QN_NODE_SCALAR ? node->mark : node->key_mark;
         if (at[length] != '.') break;
         at += length + 1;

@@ -7,8 +7,8 @@
 
 // The words of the laws are put together from their list.
 #define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text " "
-#define K(name, kind, units, range, words, fallback, meaning) \
-    {#name, QN_KIND_##kind, QN_IN_##units, range, words, fallback, meaning},
+#define K(name, kind, units, range, words, fallback, resume, meaning) \
+    {#name, QN_KIND_##kind, QN_IN_##units, range, words, fallback, QN_RESUME_##resume, meaning},
 #define S(NAME, lower, path, title) static const qn_key lower##_keys[] = {QN_##NAME##_KEYS(K)};
 QN_SECTIONS(S)
 #undef S
@@ -29,6 +29,18 @@ const qn_section qn_sections[QN_SECTION_COUNT] = {
                    "one value per key");
 QN_SECTIONS(S)
 #undef S
+
+const qn_key *qn_key_find(const char *place, const char *name)
+{
+    size_t length = strlen(place);
+    for (const qn_section *s = qn_sections; s < qn_sections + QN_SECTION_COUNT; s++) {
+        // "walls.NAME (shape: plane)" and "contacts.NAME-NAME" stand at "walls.NAME", "contacts.NAME"
+        bool here = !strncmp(s->path, place, length) && strchr(" -", s->path[length]);
+        for (int i = 0; here && i < s->key_count; i++)
+            if (!strcmp(s->keys[i].name, name)) return &s->keys[i];
+    }
+    return NULL;
+}
 
 typedef struct interval {
     double low, high;

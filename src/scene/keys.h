@@ -7,6 +7,8 @@
 // range    an interval in SI units, ] and [ meaning that the end is not part of it; "" for any
 // words    for WORD the choices; for the others a word that may stand in for the value
 // default  as it would be written; REQUIRED must be written; "" may be left out
+// resume   FIXED: a run can only go on with the value it began with, because its motion or the sums in
+//          its checkpoints depend on it; FREE: it may go on with another
 #ifndef QN_SCENE_KEYS_H
 #define QN_SCENE_KEYS_H
 
@@ -15,6 +17,8 @@
 #include "scene/units.h"
 
 #define REQUIRED "!"
+
+typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
 /// The texts of all contact laws, each with a space behind it.
 #define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text " "
@@ -37,138 +41,138 @@
     X(LIST,      "list of keys")        \
     X(NAMES,     "names with keys")
 
-//    key                 kind     units         range        words               default           meaning
+//    key                 kind     units         range        words               default           resume meaning
 #define QN_SCENE_KEYS(K)                                                                                                            \
-    K(format,             WORD,    PURE,         "",          "quern-scene/1",    REQUIRED,         "what this file is")            \
-    K(title,              TEXT,    PURE,         "",          "",                 "",               "what the scene shows")         \
-    K(gravity,            VECTOR,  ACCELERATION, "",          "",                 "0 -9.81 0 m/s2", "acceleration of gravity")      \
-    K(seed,               WHOLE,   PURE,         "[0, 9e15]", "",                 "1",              "of everything random")         \
-    K(time,               MAP,     PURE,         "",          "",                 REQUIRED,         "how long, and in what steps")  \
-    K(materials,          NAMES,   PURE,         "",          "",                 REQUIRED,         "what things are made of")      \
-    K(contacts,           NAMES,   PURE,         "",          "",                 "",               "the law between two materials, for every two that can touch") \
-    K(drum,               MAP,     PURE,         "",          "",                 "",               "a drum about the z axis, from z = 0 to its length") \
-    K(walls,              NAMES,   PURE,         "",          "",                 "",               "planes, boxes and meshes")     \
-    K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         "groups of spheres")            \
-    K(measure,            MAP,     PURE,         "",          "",                 "",               "what is observed while running") \
-    K(output,             MAP,     PURE,         "",          "",                 "",               "what is written, and where")   \
-    K(numerics,           MAP,     PURE,         "",          "",                 "",               "for the expert")
+    K(format,             WORD,    PURE,         "",          "quern-scene/1",    REQUIRED,         FIXED, "what this file is")             \
+    K(title,              TEXT,    PURE,         "",          "",                 "",               FREE,  "what the scene shows")          \
+    K(gravity,            VECTOR,  ACCELERATION, "",          "",                 "0 -9.81 0 m/s2", FIXED, "acceleration of gravity")       \
+    K(seed,               WHOLE,   PURE,         "[0, 9e15]", "",                 "1",              FIXED, "of everything random")          \
+    K(time,               MAP,     PURE,         "",          "",                 REQUIRED,         FIXED, "how long, and in what steps")   \
+    K(materials,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "what things are made of")       \
+    K(contacts,           NAMES,   PURE,         "",          "",                 "",               FIXED, "the law between two materials, for every two that can touch") \
+    K(drum,               MAP,     PURE,         "",          "",                 "",               FIXED, "a drum about the z axis, from z = 0 to its length") \
+    K(walls,              NAMES,   PURE,         "",          "",                 "",               FIXED, "planes, boxes and meshes")      \
+    K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "groups of spheres")             \
+    K(measure,            MAP,     PURE,         "",          "",                 "",               FIXED, "what is observed while running") \
+    K(output,             MAP,     PURE,         "",          "",                 "",               FIXED, "what is written, and where")    \
+    K(numerics,           MAP,     PURE,         "",          "",                 "",               FIXED, "for the expert")
 
 #define QN_TIME_KEYS(K)                                                                                                             \
-    K(end,                NUMBER,  SPAN,         "]0, inf[",  "",                 REQUIRED,         "end of the run, counted from its start") \
-    K(step,               NUMBER,  TIME,         "]0, inf[",  "auto",             "auto",           "time step; auto: from the Rayleigh and Hertz times") \
-    K(rayleigh_fraction,  NUMBER,  SHARE,        "]0, 1]",    "",                 "0.2",            "most of the Rayleigh time that an automatic step takes")
+    K(end,                NUMBER,  SPAN,         "]0, inf[",  "",                 REQUIRED,         FREE,  "end of the run, counted from its start") \
+    K(step,               NUMBER,  TIME,         "]0, inf[",  "auto",             "auto",           FIXED, "time step; auto: from the Rayleigh and Hertz times") \
+    K(rayleigh_fraction,  NUMBER,  SHARE,        "]0, 1]",    "",                 "0.2",            FIXED, "most of the Rayleigh time that an automatic step takes")
 
 #define QN_MATERIAL_KEYS(K)                                                                                                         \
-    K(like,               MATERIAL, PURE,        "",          "",                 "",               "a material above that gives what is not written here") \
-    K(young,              NUMBER,  PRESSURE,     "]0, inf[",  "",                 "",               "Young's modulus; this or shear") \
-    K(shear,              NUMBER,  PRESSURE,     "]0, inf[",  "",                 "",               "shear modulus; this or young") \
-    K(poisson,            NUMBER,  PURE,         "]-1, 0.5]", "",                 REQUIRED,         "Poisson's ratio")              \
-    K(density,            NUMBER,  DENSITY,      "]0, inf[",  "",                 REQUIRED,         "density of the solid")
+    K(like,               MATERIAL, PURE,        "",          "",                 "",               FIXED, "a material above that gives what is not written here") \
+    K(young,              NUMBER,  PRESSURE,     "]0, inf[",  "",                 "",               FIXED, "Young's modulus; this or shear") \
+    K(shear,              NUMBER,  PRESSURE,     "]0, inf[",  "",                 "",               FIXED, "shear modulus; this or young")  \
+    K(poisson,            NUMBER,  PURE,         "]-1, 0.5]", "",                 REQUIRED,         FIXED, "Poisson's ratio")               \
+    K(density,            NUMBER,  DENSITY,      "]0, inf[",  "",                 REQUIRED,         FIXED, "density of the solid")
 
 #define QN_CONTACT_KEYS(K)                                                                                                          \
-    K(law,                WORD,    PURE,         "",          QN_LAW_WORDS,       "hertz-mindlin",  "contact law")                  \
-    K(friction,           NUMBER,  SHARE,        "[0, inf[",  "",                 REQUIRED,         "Coulomb's coefficient of friction") \
-    K(restitution,        NUMBER,  SHARE,        "]0, 1]",    "",                 REQUIRED,         "coefficient of restitution, a ratio of speeds") \
-    K(rolling_friction,   NUMBER,  SHARE,        "[0, inf[",  "",                 "0",              "torque against rolling, over normal force and effective radius") \
-    K(stiffness,          NUMBER,  STIFFNESS,    "]0, inf[",  "",                 "",               "of the normal spring; law linear, and required there") \
-    K(tangential_ratio,   NUMBER,  SHARE,        "]0, inf[",  "",                 "0.2857142857142857", "tangential over normal stiffness, 2/7; law linear") \
-    K(clip,               YESNO,   PURE,         "",          "",                 "",               "no attraction before separation; the law's own choice if not written")
+    K(law,                WORD,    PURE,         "",          QN_LAW_WORDS,       "hertz-mindlin",  FIXED, "contact law")                   \
+    K(friction,           NUMBER,  SHARE,        "[0, inf[",  "",                 REQUIRED,         FIXED, "Coulomb's coefficient of friction") \
+    K(restitution,        NUMBER,  SHARE,        "]0, 1]",    "",                 REQUIRED,         FIXED, "coefficient of restitution, a ratio of speeds") \
+    K(rolling_friction,   NUMBER,  SHARE,        "[0, inf[",  "",                 "0",              FIXED, "torque against rolling, over normal force and effective radius") \
+    K(stiffness,          NUMBER,  STIFFNESS,    "]0, inf[",  "",                 "",               FIXED, "of the normal spring; law linear, and required there") \
+    K(tangential_ratio,   NUMBER,  SHARE,        "]0, inf[",  "",                 "0.2857142857142857", FIXED, "tangential over normal stiffness, 2/7; law linear") \
+    K(clip,               YESNO,   PURE,         "",          "",                 "",               FIXED, "no attraction before separation; the law's own choice if not written")
 
 #define QN_DRUM_KEYS(K)                                                                                                             \
-    K(name,               TEXT,    PURE,         "",          "",                 "drum",           "as it appears in results")     \
-    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         "inside the shell")             \
-    K(length,             NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         "along the axis")               \
-    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         "of shell and lifters")         \
-    K(ends,               WORD,    PURE,         "",          "periodic fixed turning", "periodic", "periodic: a slice of a long drum; else flat walls") \
-    K(end_material,       MATERIAL, PURE,        "",          "",                 "",               "of the ends; the shell's if not written") \
-    K(speed,              NUMBER,  SPEED,        "",          "",                 "",               "positive about +z; %critical is of sqrt(2 g / diameter); this or schedule") \
-    K(settle,             NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            "at rest before it turns")      \
-    K(ramp,               NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            "then linearly up to speed")    \
-    K(schedule,           LIST,    PURE,         "",          "",                 "",               "legs of speed, one after another; this or speed") \
-    K(lifters,            MAP,     PURE,         "",          "",                 "",               "bars along the shell")         \
-    K(profile,            FILE,    PURE,         "",          "",                 "",               "points of a closed cross-section that replaces shell and lifters") \
-    K(profile_unit,       UNIT,    PURE,         "",          "",                 "mm",             "of the profile's numbers")
+    K(name,               TEXT,    PURE,         "",          "",                 "drum",           FIXED, "as it appears in results")      \
+    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "inside the shell")              \
+    K(length,             NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "along the axis")                \
+    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of shell and lifters")          \
+    K(ends,               WORD,    PURE,         "",          "periodic fixed turning", "periodic", FIXED, "periodic: a slice of a long drum; else flat walls") \
+    K(end_material,       MATERIAL, PURE,        "",          "",                 "",               FIXED, "of the ends; the shell's if not written") \
+    K(speed,              NUMBER,  SPEED,        "",          "",                 "",               FIXED, "positive about +z; %critical is of sqrt(2 g / diameter); this or schedule") \
+    K(settle,             NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "at rest before it turns")       \
+    K(ramp,               NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "then linearly up to speed")     \
+    K(schedule,           LIST,    PURE,         "",          "",                 "",               FIXED, "legs of speed, one after another; this or speed") \
+    K(lifters,            MAP,     PURE,         "",          "",                 "",               FIXED, "bars along the shell")          \
+    K(profile,            FILE,    PURE,         "",          "",                 "",               FIXED, "points of a closed cross-section that replaces shell and lifters") \
+    K(profile_unit,       UNIT,    PURE,         "",          "",                 "mm",             FIXED, "of the profile's numbers")
 
 #define QN_LIFTERS_KEYS(K)                                                                                                          \
-    K(count,              WHOLE,   PURE,         "[1, 1000]", "",                 REQUIRED,         "evenly around the shell")      \
-    K(height,             NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         "above the shell")              \
-    K(top,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         "width of the top")             \
-    K(base,               NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               "width at the shell; as wide as the top if not written") \
-    K(face_angle,         NUMBER,  ANGLE,        "]0, 1.5707963267948966]", "",   "",               "between side face and shell, 90 deg is rectangular; instead of base")
+    K(count,              WHOLE,   PURE,         "[1, 1000]", "",                 REQUIRED,         FIXED, "evenly around the shell")       \
+    K(height,             NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "above the shell")               \
+    K(top,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "width of the top")              \
+    K(base,               NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "width at the shell; as wide as the top if not written") \
+    K(face_angle,         NUMBER,  ANGLE,        "]0, 1.5707963267948966]", "",   "",               FIXED, "between side face and shell, 90 deg is rectangular; instead of base")
 
 #define QN_LEG_KEYS(K)                                                                                                              \
-    K(duration,           NUMBER,  TIME,         "]0, inf[",  "",                 "",               "of the leg; the last may go on for ever") \
-    K(from,               NUMBER,  SPEED,        "",          "",                 "",               "speed at its start; where the leg before ended if not written") \
-    K(to,                 NUMBER,  SPEED,        "",          "",                 "",               "speed at its end, reached linearly") \
-    K(at,                 NUMBER,  SPEED,        "",          "",                 "",               "constant speed, instead of from and to")
+    K(duration,           NUMBER,  TIME,         "]0, inf[",  "",                 "",               FIXED, "of the leg; the last may go on for ever") \
+    K(from,               NUMBER,  SPEED,        "",          "",                 "",               FIXED, "speed at its start; where the leg before ended if not written") \
+    K(to,                 NUMBER,  SPEED,        "",          "",                 "",               FIXED, "speed at its end, reached linearly") \
+    K(at,                 NUMBER,  SPEED,        "",          "",                 "",               FIXED, "constant speed, instead of from and to")
 
 #define QN_PLANE_KEYS(K)                                                                                                            \
-    K(shape,              WORD,    PURE,         "",          "plane",            REQUIRED,         "an infinite plane at rest")    \
-    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         "of the wall")                  \
-    K(point,              VECTOR,  LENGTH,       "",          "",                 "0 0 0 m",        "on the plane")                 \
-    K(normal,             VECTOR,  PURE,         "",          "",                 REQUIRED,         "to the side where particles live; any length")
+    K(shape,              WORD,    PURE,         "",          "plane",            REQUIRED,         FIXED, "an infinite plane at rest")     \
+    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the wall")                   \
+    K(point,              VECTOR,  LENGTH,       "",          "",                 "0 0 0 m",        FIXED, "on the plane")                  \
+    K(normal,             VECTOR,  PURE,         "",          "",                 REQUIRED,         FIXED, "to the side where particles live; any length")
 
 #define QN_BOX_KEYS(K)                                                                                                              \
-    K(shape,              WORD,    PURE,         "",          "box",              REQUIRED,         "six planes at rest, particles inside") \
-    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         "of the walls")                 \
-    K(low,                VECTOR,  LENGTH,       "",          "",                 REQUIRED,         "corner with the smallest x, y and z") \
-    K(high,               VECTOR,  LENGTH,       "",          "",                 REQUIRED,         "corner with the largest x, y and z")
+    K(shape,              WORD,    PURE,         "",          "box",              REQUIRED,         FIXED, "six planes at rest, particles inside") \
+    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the walls")                  \
+    K(low,                VECTOR,  LENGTH,       "",          "",                 REQUIRED,         FIXED, "corner with the smallest x, y and z") \
+    K(high,               VECTOR,  LENGTH,       "",          "",                 REQUIRED,         FIXED, "corner with the largest x, y and z")
 
 #define QN_MESH_KEYS(K)                                                                                                             \
-    K(shape,              WORD,    PURE,         "",          "mesh",             REQUIRED,         "triangles from a file, acting on both sides") \
-    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         "of the wall")                  \
-    K(file,               FILE,    PURE,         "",          "",                 REQUIRED,         "STL, OBJ, PLY or text, relative to the scene") \
-    K(unit,               UNIT,    PURE,         "",          "",                 "mm",             "of the file's numbers")        \
-    K(turning,            YESNO,   PURE,         "",          "",                 "no",             "with the drum")
+    K(shape,              WORD,    PURE,         "",          "mesh",             REQUIRED,         FIXED, "triangles from a file, acting on both sides") \
+    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the wall")                   \
+    K(file,               FILE,    PURE,         "",          "",                 REQUIRED,         FIXED, "STL, OBJ, PLY or text, relative to the scene") \
+    K(unit,               UNIT,    PURE,         "",          "",                 "mm",             FIXED, "of the file's numbers")         \
+    K(turning,            YESNO,   PURE,         "",          "",                 "no",             FIXED, "with the drum")
 
 #define QN_GROUP_KEYS(K)                                                                                                            \
-    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         "of the spheres")               \
-    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               "of every sphere; this or sizes") \
-    K(sizes,              LIST,    PURE,         "",          "",                 "",               "a size distribution; this or diameter") \
-    K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           "what the fractions of sizes count") \
-    K(fixed,              YESNO,   PURE,         "",          "",                 "no",             "never moves, whatever touches it") \
-    K(fill,               WORD,    PURE,         "",          "hcp grid file at", "hcp",            "hexagonal packing, cubic grid, from a file, or one sphere; file and at if those keys are there") \
-    K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               "how many; hcp and grid need one of count, filling, mass") \
-    K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               "share of the drum's volume that the bed at rest takes, voids included") \
-    K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               "of all spheres together")      \
-    K(padding,            NUMBER,  SHARE,        "[0, 10]",   "",                 "2 %",            "room left around each sphere, of its radius") \
-    K(jitter,             NUMBER,  SHARE,        "[0, 1]",    "",                 "0",              "random displacement, as a share of the padding") \
-    K(file,               FILE,    PURE,         "",          "",                 "",               "CSV, raw binary, or a frame or checkpoint of Quern, relative to the scene") \
-    K(file_unit,          UNIT,    PURE,         "",          "",                 "m",              "of the file's lengths")        \
-    K(at,                 VECTOR,  LENGTH,       "",          "",                 "",               "centre of the one sphere")     \
-    K(velocity,           VECTOR,  VELOCITY,     "",          "",                 "0 0 0 m/s",      "at the start")                 \
-    K(spin,               VECTOR,  SPIN,         "",          "",                 "0 0 0 rad/s",    "at the start")
+    K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the spheres")                \
+    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of every sphere; this or sizes") \
+    K(sizes,              LIST,    PURE,         "",          "",                 "",               FIXED, "a size distribution; this or diameter") \
+    K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           FIXED, "what the fractions of sizes count") \
+    K(fixed,              YESNO,   PURE,         "",          "",                 "no",             FIXED, "never moves, whatever touches it") \
+    K(fill,               WORD,    PURE,         "",          "hcp grid file at", "hcp",            FIXED, "hexagonal packing, cubic grid, from a file, or one sphere; file and at if those keys are there") \
+    K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many; hcp and grid need one of count, filling, mass") \
+    K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "share of the drum's volume that the bed at rest takes, voids included") \
+    K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all spheres together")       \
+    K(padding,            NUMBER,  SHARE,        "[0, 10]",   "",                 "2 %",            FIXED, "room left around each sphere, of its radius") \
+    K(jitter,             NUMBER,  SHARE,        "[0, 1]",    "",                 "0",              FIXED, "random displacement, as a share of the padding") \
+    K(file,               FILE,    PURE,         "",          "",                 "",               FIXED, "CSV, raw binary, or a frame or checkpoint of Quern, relative to the scene") \
+    K(file_unit,          UNIT,    PURE,         "",          "",                 "m",              FIXED, "of the file's lengths")         \
+    K(at,                 VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "centre of the one sphere")      \
+    K(velocity,           VECTOR,  VELOCITY,     "",          "",                 "0 0 0 m/s",      FIXED, "at the start")                  \
+    K(spin,               VECTOR,  SPIN,         "",          "",                 "0 0 0 rad/s",    FIXED, "at the start")
 
 #define QN_SIZE_KEYS(K)                                                                                                             \
-    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         "of these spheres")             \
-    K(fraction,           NUMBER,  SHARE,        "]0, inf[",  "",                 REQUIRED,         "by mass or number, as fractions_by says; only ratios matter")
+    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "of these spheres")              \
+    K(fraction,           NUMBER,  SHARE,        "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or number, as fractions_by says; only ratios matter")
 
 #define QN_MEASURE_KEYS(K)                                                                                                          \
-    K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           "between rows of the time series") \
-    K(fields,             MAP,     PURE,         "",          "",                 "",               "voxel fields of porosity and velocity; needs a drum") \
-    K(traces,             MAP,     PURE,         "",          "",                 "",               "particles followed one by one")
+    K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           FREE,  "between rows of the time series") \
+    K(fields,             MAP,     PURE,         "",          "",                 "",               FIXED, "voxel fields of porosity and velocity; needs a drum") \
+    K(traces,             MAP,     PURE,         "",          "",                 "",               FIXED, "particles followed one by one")
 
 #define QN_FIELDS_KEYS(K)                                                                                                           \
-    K(every,              NUMBER,  SPAN,         "]0, inf[",  "",                 "300 steps",      "between samples")              \
-    K(start,              NUMBER,  SPAN,         "[0, inf[",  "",                 REQUIRED,         "of sampling, from the start of the run") \
-    K(duration,           NUMBER,  SPAN,         "]0, inf[",  "",                 "1 rev",          "of sampling")                  \
-    K(cells,              NUMBERS, PURE,         "]0, 1000]", "",                 "1 2 4",          "voxel sides in x and y, in radii of the largest sphere; a grid for each") \
-    K(layers,             NUMBERS, PURE,         "[1, 10000]","",                 "1",              "voxels along the axis, for all grids or for each")
+    K(every,              NUMBER,  SPAN,         "]0, inf[",  "",                 "300 steps",      FIXED, "between samples")               \
+    K(start,              NUMBER,  SPAN,         "[0, inf[",  "",                 REQUIRED,         FIXED, "of sampling, from the start of the run") \
+    K(duration,           NUMBER,  SPAN,         "]0, inf[",  "",                 "1 rev",          FIXED, "of sampling")                   \
+    K(cells,              NUMBERS, PURE,         "]0, 1000]", "",                 "1 2 4",          FIXED, "voxel sides in x and y, in radii of the largest sphere; a grid for each") \
+    K(layers,             NUMBERS, PURE,         "[1, 10000]","",                 "1",              FIXED, "voxels along the axis, for all grids or for each")
 
 #define QN_TRACES_KEYS(K)                                                                                                           \
-    K(ids,                NUMBERS, PURE,         "[1, 9e15]", "",                 REQUIRED,         "particles, numbered from 1")   \
-    K(every,              NUMBER,  SPAN,         "]0, inf[",  "",                 "1 steps",        "between rows")
+    K(ids,                NUMBERS, PURE,         "[1, 9e15]", "",                 REQUIRED,         FREE,  "particles, numbered from 1")    \
+    K(every,              NUMBER,  SPAN,         "]0, inf[",  "",                 "1 steps",        FREE,  "between rows")
 
 #define QN_OUTPUT_KEYS(K)                                                                                                           \
-    K(directory,          FILE,    PURE,         "",          "",                 "",               "run folder; out/ and the scene's file name if not written") \
-    K(frames,             NUMBER,  SPAN,         "]0, inf[",  "none",             "10 ms",          "between frames for pictures and ParaView") \
-    K(checkpoint,         NUMBER,  TIME,         "]0, inf[",  "",                 "60 s",           "between checkpoints, by the wall clock") \
-    K(keep,               WHOLE,   PURE,         "[1, 1000]", "",                 "3",              "checkpoints that are kept")    \
-    K(pictures,           YESNO,   PURE,         "",          "",                 "yes",            "draw them at the end of the run")
+    K(directory,          FILE,    PURE,         "",          "",                 "",               FREE,  "run folder; out/ and the scene's file name if not written") \
+    K(frames,             NUMBER,  SPAN,         "]0, inf[",  "none",             "10 ms",          FREE,  "between frames for pictures and ParaView") \
+    K(checkpoint,         NUMBER,  TIME,         "]0, inf[",  "",                 "60 s",           FREE,  "between checkpoints, by the wall clock") \
+    K(keep,               WHOLE,   PURE,         "[1, 1000]", "",                 "3",              FREE,  "checkpoints that are kept")     \
+    K(pictures,           YESNO,   PURE,         "",          "",                 "yes",            FREE,  "draw them at the end of the run")
 
 #define QN_NUMERICS_KEYS(K)                                                                                                         \
-    K(skin,               NUMBER,  SHARE,        "]0, 10]",   "auto",             "auto",           "of the pair list, in radii of the smallest sphere") \
-    K(bed_solidity,       NUMBER,  SHARE,        "]0, 0.74]", "",                 "0.6",            "solid share of a bed at rest, for filling")
+    K(skin,               NUMBER,  SHARE,        "]0, 10]",   "auto",             "auto",           FREE,  "of the pair list, in radii of the smallest sphere") \
+    K(bed_solidity,       NUMBER,  SHARE,        "]0, 0.74]", "",                 "0.6",            FIXED, "solid share of a bed at rest, for filling")
 
 //    NAME      lower     where it stands               what it is
 #define QN_SECTIONS(S)                                                                     \
@@ -208,7 +212,9 @@ typedef struct qn_key {
     const char *name;
     qn_kind kind;
     unsigned units;
-    const char *range, *words, *fallback, *meaning;
+    const char *range, *words, *fallback;
+    qn_resume resume;
+    const char *meaning;
 } qn_key;
 
 typedef struct qn_section {
@@ -236,7 +242,7 @@ typedef struct qn_value {
     const char *text;       //   as written; for a default as in the table
 } qn_value;
 
-#define K(name, kind, units, range, words, fallback, meaning) qn_value name;
+#define K(name, kind, units, range, words, fallback, resume, meaning) qn_value name;
 #define S(NAME, lower, path, title)    \
     typedef struct qn_##lower##_keys { \
         QN_##NAME##_KEYS(K)            \
@@ -245,6 +251,10 @@ QN_SECTIONS(S)
 #undef S
 #undef K
 #undef L
+
+/// The key of this name in the section that stands at `place`, written as the sections' paths are
+/// ("materials.NAME"); NULL if there is none.
+const qn_key *qn_key_find(const char *place, const char *name);
 
 /// The range of a key as a sentence's part: "above 0 and at most 1".
 void qn_key_range_text(const qn_key *key, char *text, size_t size);

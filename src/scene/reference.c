@@ -12,7 +12,9 @@ static const char intro[] =
     "vector is\n"
     "three numbers and one unit (`0 -9.81 0 m/s2`); a pure number takes no unit, a share may be "
     "written\n"
-    "in %. Names of materials, walls and groups are free. File names are relative to the scene.\n";
+    "in %. Names of materials, walls and groups are free. File names are relative to the scene.\n"
+    "A run goes on (`--resume`) with the scene it began with; only keys marked + may have "
+    "changed.\n";
 
 /// What may be written: words for a choice, units for a number.
 static void form_of(const qn_key *key, char *text, size_t size)
@@ -37,6 +39,11 @@ static const char *default_of(const qn_key *key)
     return !strcmp(key->fallback, REQUIRED) ? "required" : *key->fallback ? key->fallback : "-";
 }
 
+static const char *mark_of(const qn_key *key)
+{
+    return key->resume == QN_RESUME_FREE ? " +" : "";
+}
+
 static void write_markdown(FILE *out, const qn_section *s)
 {
     fprintf(out, "\n## %s\n\n`%s`\n\n", s->title, *s->path ? s->path : "top level");
@@ -46,8 +53,8 @@ static void write_markdown(FILE *out, const qn_section *s)
         char form[512], range[128];
         form_of(k, form, sizeof form);
         qn_key_range_text(k, range, sizeof range);
-        fprintf(out, "| `%s` | %s | %s | %s | %s |\n", k->name, form, range, default_of(k),
-                k->meaning);
+        fprintf(out, "| `%s` | %s | %s | %s | %s%s |\n", k->name, form, range, default_of(k),
+                k->meaning, mark_of(k));
     }
 }
 
@@ -59,7 +66,7 @@ static void write_plain(FILE *out, const qn_section *s)
         char form[512], range[128];
         form_of(k, form, sizeof form);
         qn_key_range_text(k, range, sizeof range);
-        fprintf(out, "    %-18s %s\n", k->name, k->meaning);
+        fprintf(out, "    %-18s %s%s\n", k->name, k->meaning, mark_of(k));
         fprintf(out, "    %-18s   %s%s%s", "", form, *range ? "; " : "", range);
         if (!strcmp(k->fallback, REQUIRED))
             fprintf(out, "; required");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A definition as the text of a scene: every key, in SI units, with 17 digits.
+#include "base/hash.h"
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -40,6 +41,17 @@ static void write_quoted(FILE *out, const char *key, const char *text)
             fputc(*p, out);
     }
     fputs("\"\n", out);
+}
+
+static uint64_t hash_numbers(uint64_t hash, const double *x, int64_t count)
+{
+    return x ? qn_hash(hash, x, (size_t)count * sizeof *x) : hash;
+}
+
+/// What came from a file: how many of what, and a hash of it, so that a changed file shows.
+static void write_contents(FILE *out, int count, const char *what, uint64_t hash)
+{
+    fprintf(out, "(%d %s from a file, hash %016llx)", count, what, (unsigned long long)hash);
 }
 
 static void write_head(FILE *out, const qn_def *def)
@@ -100,9 +112,12 @@ static void write_drum(FILE *out, const qn_def *def)
         else
             fprintf(out, "    - {at: %.17g rad/s}\n", l->to);
     }
-    if (d->profile_count > 0)
-        fprintf(out, "  # profile: %d points from a file\n", d->profile_count);
-    else if (d->lifter_count > 0)
+    if (d->profile_count > 0) {
+        fprintf(out, "  profile: ");
+        write_contents(out, d->profile_count, "points",
+                       hash_numbers(QN_HASH_START, d->profile, 2 * d->profile_count));
+        fprintf(out, "\n");
+    } else if (d->lifter_count > 0)
         fprintf(out, "  lifters: {count: %d, height: %.17g m, top: %.17g m, base: %.17g m}\n",
                 d->lifter_count, d->lifter_height, d->lifter_top, d->lifter_base);
 }
@@ -120,8 +135,12 @@ static void write_walls(FILE *out, const qn_def *def)
     }
     for (int i = 0; i < def->mesh_count; i++) {
         const qn_mesh_def *m = &def->meshes[i];
-        fprintf(out, "  # %s: %d triangles from a file, of %s, turning: %s\n", m->name,
-                m->triangle_count, def->materials[m->material].name, yes(m->turning));
+        uint64_t hash = hash_numbers(QN_HASH_START, m->vertices, 3 * (int64_t)m->vertex_count);
+        hash = qn_hash(hash, m->triangles, 3 * (size_t)m->triangle_count * sizeof *m->triangles);
+        fprintf(out, "  %s: {shape: mesh, material: %s, turning: %s, file: \"", m->name,
+                def->materials[m->material].name, yes(m->turning));
+        write_contents(out, m->triangle_count, "triangles", hash);
+        fprintf(out, "\"}\n");
     }
 }
 
@@ -137,16 +156,30 @@ static void write_sizes(FILE *out, const qn_group_def *g)
                 g->fraction[i]);
 }
 
+static void write_list(FILE *out, const qn_group_def *g)
+{
+    int64_t n = g->list_count;
+    uint64_t hash = hash_numbers(QN_HASH_START, g->list_position, 3 * n);
+    hash = hash_numbers(hash, g->list_velocity, 3 * n);
+    hash = hash_numbers(hash, g->list_spin, 3 * n);
+    for (int64_t i = 0; i < n; i++)
+        hash = hash_numbers(hash, &g->diameter[g->list_size ? g->list_size[i] : 0], 1);
+    fprintf(out, "    fill: file\n    file: ");
+    write_contents(out, g->list_count, "spheres", hash);
+    fprintf(out, "\n");
+}
+
 static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
 {
     fprintf(out, "  %s:\n    material: %s\n    fixed: %s\n", g->name,
             def->materials[g->material].name, yes(g->fixed));
-    if (g->packing == QN_PACK_LIST && g->list_count == 1) {
+    bool is_one = g->list_count == 1 && !g->list_velocity && !g->list_spin;
+    if (g->packing == QN_PACK_LIST && is_one) {
         const double *x = g->list_position;
         write_vector(out, "    fill: at\n    at", qn_v3(x[0], x[1], x[2]), "m");
         fprintf(out, "\n");
     } else if (g->packing == QN_PACK_LIST)
-        fprintf(out, "    # fill: file, %d spheres of %d sizes\n", g->list_count, g->size_count);
+        write_list(out, g);
     else {
         fprintf(out, "    fill: %s\n    ", g->packing == QN_PACK_HCP ? "hcp" : "grid");
         if (g->amount_kind == QN_AMOUNT_COUNT)
@@ -157,7 +190,7 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
             fprintf(out, "mass: %.17g kg\n", g->amount);
         fprintf(out, "    padding: %.17g\n    jitter: %.17g\n", g->padding, g->jitter);
     }
-    if (g->packing != QN_PACK_LIST || g->list_count == 1) write_sizes(out, g);
+    if (g->packing != QN_PACK_LIST || is_one) write_sizes(out, g);
     write_vector(out, "    velocity", g->velocity, "m/s");
     write_vector(out, "\n    spin", g->spin, "rad/s");
     fprintf(out, "\n");

@@ -104,28 +104,15 @@ static qn_status read_stream(FILE *file, const char *path, char **text, size_t *
     return QN_OK;
 }
 
-qn_status qn_scene_text(const char *path, char **text)
-{
-    qn_messages messages = {0};
-    size_t length = 0;
-    FILE *file = fopen(path, "rb");
-    if (!file) return qn_fail(QN_IO, "%s: %s", path, strerror(errno));
-    *text = NULL;
-    qn_status status = read_stream(file, path, text, &length, &messages);
-    fclose(file);
-    qn_messages_free(&messages);
-    if (status == QN_OK) (*text)[length] = 0;
-    return status;
-}
-
-qn_status qn_scene_read(const char *path, qn_def *def, qn_messages *messages)
+qn_status qn_scene_read(const char *path, qn_def *def, char **text, qn_messages *messages)
 {
     *def = qn_def_default();
+    char *own = NULL, directory[QN_PATH_MAX] = "";
+    size_t length = 0;
+    if (text) *text = NULL;
     FILE *file = fopen(path, "rb");
     if (!file) return refuse(path, QN_INPUT, messages, strerror(errno));
-    char *text = NULL, directory[QN_PATH_MAX] = "";
-    size_t length = 0;
-    qn_status status = read_stream(file, path, &text, &length, messages);
+    qn_status status = read_stream(file, path, &own, &length, messages);
     fclose(file);
     const char *slash = strrchr(path, '/');
     int n = slash ? (int)(slash - path) + 1 : 0;
@@ -133,7 +120,11 @@ qn_status qn_scene_read(const char *path, qn_def *def, qn_messages *messages)
         status = refuse(path, QN_INPUT, messages, "has too long a name");
     else
         snprintf(directory, sizeof directory, "%.*s", n, path);
-    if (status == QN_OK) status = qn_scene_read_text(text, length, path, directory, def, messages);
-    free(text);
+    if (status == QN_OK) status = qn_scene_read_text(own, length, path, directory, def, messages);
+    if (own) own[length <= QN_TEXT_MAX ? length : 0] = 0;
+    if (text)
+        *text = own;
+    else
+        free(own);
     return status;
 }

@@ -7,6 +7,7 @@
 //     value      one value; reader: one section of them
 //     build_*    sections into the definition; check: what only shows when all is known
 //     messages   everything that is wrong, with line and caret, in one go
+//     resolved   a definition as a scene again; continues: whether a run can go on with another one
 //
 // Read once at the start of a command. Nothing is printed or written.
 #ifndef QN_SCENE_SCENE_H
@@ -17,14 +18,18 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /// Reads a scene file and the geometry and particle files it names (relative to it).
 ///
 /// @param def       filled on success; release with qn_def_free(). Empty otherwise.
+/// @param text      NULL, or where to put the text of the file, zero-terminated and to be released with
+///                  free(); NULL where it could not be read
 /// @param messages  zeroed by the caller; errors and warnings as they should be printed
 /// @return QN_INPUT if something is wrong with the scene, QN_IO if the file cannot be read; qn_error()
 ///         then holds one sentence, the messages all of them.
-QN_NODISCARD qn_status qn_scene_read(const char *path, qn_def *def, qn_messages *messages);
+QN_NODISCARD qn_status qn_scene_read(const char *path, qn_def *def, char **text,
+                                     qn_messages *messages);
 
 /// As qn_scene_read for a text in memory.
 ///
@@ -34,19 +39,25 @@ QN_NODISCARD qn_status qn_scene_read_text(const char *text, size_t length, const
                                           const char *directory, qn_def *def,
                                           qn_messages *messages);
 
-/// Reads the text of a scene file whole, zero-terminated; *text is to be released with free(). QN_IO if
-/// that is not possible.
-QN_NODISCARD qn_status qn_scene_text(const char *path, char **text);
-
 /// Adds what qn_world_create() said of a scene, a sentence that begins with the path of a key, to the
 /// messages with the place of that key in the scene's text.
 void qn_scene_blame(const char *path, const char *text, const char *sentence,
                     qn_messages *messages);
 
 /// Every key of a definition with its value in SI units, defaults included, as the text of a scene;
-/// *text is to be released with free(). What came from files (meshes, profiles, lists of particles) is
-/// named in comments. Call it before qn_world_create(), which empties the definition.
+/// *text is to be released with free(). Where a file is named (mesh, profile, list of particles) it says
+/// what came from it, with a hash. Call it before qn_world_create(), which empties the definition.
 QN_NODISCARD qn_status qn_scene_resolved(const qn_def *def, char **text);
+
+/// Whether a run of one resolved scene (`before`) can go on with another (`now`): every key that its
+/// motion or its checkpoints depend on has the same value.
+///
+/// @param changes  a line for each other key that differs, "" for none; to be released with free()
+/// @return QN_INPUT otherwise, with a sentence that begins with the first such key
+QN_NODISCARD qn_status qn_scene_continues(const char *before, const char *now, char **changes);
+
+/// A hash of the keys of a resolved scene that a run can't change when it goes on.
+QN_NODISCARD qn_status qn_scene_hash(const char *resolved, uint64_t *hash);
 
 /// The reference of all keys, for a terminal or as Markdown; *text is to be released with free().
 QN_NODISCARD qn_status qn_scene_reference(bool markdown, char **text);

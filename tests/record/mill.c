@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mill.h"
 
+#include "base/hash.h"
+
 #include "scene/scene.h"
 #include "step/step.h"
 
@@ -61,10 +63,11 @@ static qn_status make_world(mill *m, const char *scene)
 qn_status mill_open(mill *m, const char *scene, const char *folder, qn_run_mode mode)
 {
     *m = (mill){0};
+    qn_recorded_scene kept = {scene, "resolved: true\n",
+                              qn_hash(QN_HASH_START, scene, strlen(scene))};
     qn_status status = make_world(m, scene);
     if (status == QN_OK)
-        status = qn_recorder_open(&m->recorder, folder, mode, scene, "resolved: true\n", m->world,
-                                  &m->measure);
+        status = qn_recorder_open(&m->recorder, folder, mode, &kept, m->world, &m->measure);
     if (status != QN_OK) mill_close(m);
     return status;
 }

@@ -143,14 +143,15 @@ static void one_wrong_bit_is_noticed_wherever_numbers_stand(void)
 static void another_scene_is_refused(void)
 {
     mill m;
+    char *text;
+    int64_t length;
     CHECK_STATUS(run_whole());
     CHECK(mill_open(&m, mill_other_scene, "whole", QN_RESUME) == QN_INPUT);
-    CHECK(strstr(qn_error(), "was made from another scene"));
-    remove_folder("changed");
-    CHECK_STATUS(mill_run_through("changed", QN_NEW, 20, 0, NULL));
-    CHECK_STATUS(qn_atomic_text("changed/scene.yaml", mill_other_scene));
-    CHECK(mill_open(&m, mill_other_scene, "changed", QN_RESUME) == QN_INPUT);
     CHECK(strstr(qn_error(), "it is of another scene"));
+    CHECK_STATUS(qn_file_read("whole/scene.yaml", &text, &length));
+    bool untouched = !strcmp(text, mill_scene);
+    free(text);
+    CHECK(untouched);
 }
 
 static void a_folder_is_never_written_over_unasked(void)

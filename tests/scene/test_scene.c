@@ -290,7 +290,7 @@ static void every_shipped_scene_is_a_good_scene(void)
     bool all = true;
     for (size_t i = 0; i < found.gl_pathc; i++) {
         outcome o = {0};
-        o.status = qn_scene_read(found.gl_pathv[i], &o.def, &o.messages);
+        o.status = qn_scene_read(found.gl_pathv[i], &o.def, NULL, &o.messages);
         if (o.messages.text) printf("%s", o.messages.text);
         all = all && o.status == QN_OK;
         release(&o);
@@ -347,7 +347,7 @@ static qn_status read_file(const char *path, char *line, size_t size)
 {
     qn_def def;
     qn_messages messages = {0};
-    qn_status status = qn_scene_read(path, &def, &messages);
+    qn_status status = qn_scene_read(path, &def, NULL, &messages);
     const char *text = messages.text ? messages.text : "";
     snprintf(line, size, "%.*s", (int)strcspn(text, "\n"), text);
     qn_messages_free(&messages);
