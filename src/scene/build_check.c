@@ -3,6 +3,7 @@
 #include "scene/build.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /// Says once for each pair that is missing who would meet.
 static void need_law(qn_reader *r, qn_mark mark, int a, int b, const char *one, const char *other,
@@ -49,8 +50,19 @@ static void check_group(qn_reader *r, qn_mark mark, const qn_group_def *g,
     }
 }
 
+/// Whether every entry of contacts could be read; what is missing may else be a pair misspelt.
+static bool is_complete(const qn_reader *r, const qn_value *contacts)
+{
+    int entries = 0;
+    if (!contacts->node) return true;
+    for (const qn_node *n = contacts->node->first; n; n = n->next)
+        entries += strcmp(n->key, "defaults") != 0;
+    return contacts->set && entries == r->def->contact_count;
+}
+
 void qn_build_check(qn_reader *r, const qn_scene_keys *scene)
 {
+    if (!is_complete(r, &scene->contacts)) return;
     bool said[QN_NAMES_MAX][QN_NAMES_MAX] = {{false}};
     qn_mark mark = {1, 1, 1};
     if (scene->contacts.node)

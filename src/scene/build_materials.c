@@ -25,7 +25,7 @@ static void fill_material(qn_reader *r, qn_material_keys *k, qn_section_from fro
         k->young.set = false;
     else if (k->young.node)
         k->shear.set = false;
-    if (!k->young.set && !k->shear.set && !k->young.node && !k->shear.node && !from.is_partial)
+    if (!k->young.set && !k->shear.set && !k->young.node && !k->shear.node && !k->like.node)
         qn_complain_at(r, from.mark, "%s lacks the key 'young': %s", from.path,
                        k->young.key->meaning);
     m->poisson_ratio = k->poisson.number;

@@ -144,6 +144,11 @@ static void read_profile(qn_reader *r, const qn_drum_keys *k)
 qn_status qn_build_drum(qn_reader *r, const qn_scene_keys *scene)
 {
     qn_drum_def *d = &r->def->drum;
+    if (!scene->drum.set && scene->drum.node) {  // so that nobody misses the drum or its turning
+        d->present = true;
+        d->material = d->end_material = -1;
+        add_leg(d, HUGE_VAL, 1, 1);
+    }
     if (!scene->drum.set) return QN_OK;
     qn_section_from from = qn_section_under(r, &scene->drum);
     qn_drum_keys k;

@@ -65,17 +65,18 @@ bool qn_key_allows(const qn_key *key, double x)
     return (i.low_open ? x > i.low : x >= i.low) && (i.high_open ? x < i.high : x <= i.high);
 }
 
-void qn_key_range_text(const qn_key *key, char *text, size_t size)
+void qn_key_range_text(const qn_key *key, const qn_unit *unit, char *text, size_t size)
 {
     interval i = interval_of(key->range);
-    const char *si = qn_units_si(key->units);
+    double scale = unit ? unit->over / unit->times : 1;
+    const char *name = unit ? unit->name : "";
     char low[64] = "", high[64] = "";
     if (isfinite(i.low))
-        snprintf(low, sizeof low, "%s %g", i.low_open ? "above" : "at least", i.low);
+        snprintf(low, sizeof low, "%s %.6g", i.low_open ? "above" : "at least", i.low * scale);
     if (isfinite(i.high))
-        snprintf(high, sizeof high, "%s %.6g", i.high_open ? "below" : "at most", i.high);
+        snprintf(high, sizeof high, "%s %.6g", i.high_open ? "below" : "at most", i.high * scale);
     snprintf(text, size, "%s%s%s%s%s", low, *low && *high ? " and " : "", high,
-             (*low || *high) && *si ? " " : "", *low || *high ? si : "");
+             (*low || *high) && *name ? " " : "", *low || *high ? name : "");
 }
 
 const char *qn_kind_text(qn_kind kind)

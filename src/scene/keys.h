@@ -256,8 +256,8 @@ QN_SECTIONS(S)
 /// ("materials.NAME"); NULL if there is none.
 const qn_key *qn_key_find(const char *place, const char *name);
 
-/// The range of a key as a sentence's part: "above 0 and at most 1".
-void qn_key_range_text(const qn_key *key, char *text, size_t size);
+/// The range of a key as a sentence's part, in a unit (NULL for none): "above 0 and at most 90 deg".
+void qn_key_range_text(const qn_key *key, const qn_unit *unit, char *text, size_t size);
 
 /// Whether a number in SI units lies in the range of the key.
 bool qn_key_allows(const qn_key *key, double number);

@@ -5,7 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { SHOWN = 60 };  // letters of a value that a message repeats
+enum {
+    SHOWN = 60,     // letters of a value that a message repeats
+    KEYS_MAX = 32,  // keys of a section
+};
 
 /// "drum.diameter = 3 kg", or "drum.diameter" where nothing is written.
 static void name_value(const qn_value *v, char *text, size_t size)
@@ -50,8 +53,16 @@ static const char *keep(qn_reader *r, const char *path)
     return kept ? memcpy(kept, path, length + 1) : "";
 }
 
-static void complain_about_key(qn_reader *r, const qn_section *s, const char *path,
-                               const qn_node *node)
+static int key_index(const qn_section *s, const char *name)
+{
+    for (int i = 0; i < s->key_count; i++)
+        if (!strcmp(s->keys[i].name, name)) return i;
+    return -1;
+}
+
+/// Index of the key that was probably meant; -1 where that is open.
+static int complain_about_key(qn_reader *r, const qn_section *s, const char *path,
+                              const qn_node *node)
 {
     char known[512] = "", nearest[64];
     for (int i = 0; i < s->key_count; i++) {
@@ -59,12 +70,22 @@ static void complain_about_key(qn_reader *r, const qn_section *s, const char *pa
         snprintf(known + used, sizeof known - used, "%s%s", i > 0 ? ", " : "", s->keys[i].name);
     }
     const char *where = *path ? path : "the scene";
-    if (qn_nearest_word(node->key, known, nearest, sizeof nearest))
+    if (strchr(node->key, ':')) {
+        qn_complain_at(r, node->key_mark,
+                       "unknown key '%.*s' in %s: a space is missing behind the ':'", SHOWN,
+                       node->key, where);
+        char before[64];
+        snprintf(before, sizeof before, "%.*s", (int)strcspn(node->key, ":"), node->key);
+        return key_index(s, before);
+    }
+    if (qn_nearest_word(node->key, known, nearest, sizeof nearest)) {
         qn_complain_at(r, node->key_mark, "unknown key '%.*s' in %s; did you mean '%s'?", SHOWN,
                        node->key, where, nearest);
-    else
-        qn_complain_at(r, node->key_mark, "unknown key '%.*s' in %s; known are: %s", SHOWN,
-                       node->key, where, known);
+        return key_index(s, nearest);
+    }
+    qn_complain_at(r, node->key_mark, "unknown key '%.*s' in %s; known are: %s", SHOWN, node->key,
+                   where, known);
+    return -1;
 }
 
 static const char *kind_of_node(const qn_node *node)
@@ -84,42 +105,62 @@ static bool fits(qn_reader *r, const qn_value *v, const qn_node *node)
                                                          : QN_NODE_SCALAR;
     if (node->kind == wanted) return true;
     if (is_map && node->kind == QN_NODE_SCALAR && !*node->text) return true;
+    bool stuck = is_map && node->kind == QN_NODE_SCALAR && strchr(node->text, ':');
     qn_complain(r, v, "is %s, but should be %s: %s", kind_of_node(node),
                 is_map                   ? "a map of keys"
                 : wanted == QN_NODE_LIST ? "a list"
                                          : qn_kind_text(v->key->kind),
-                v->key->meaning);
+                stuck ? "a space is missing behind the ':'" : v->key->meaning);
     return false;
 }
 
-static int key_index(const qn_section *s, const char *name)
+static void read_node(qn_reader *r, const qn_node *n, qn_value *v)
 {
-    for (int i = 0; i < s->key_count; i++)
-        if (!strcmp(s->keys[i].name, name)) return i;
-    return -1;
+    v->node = n;
+    v->mark = n->mark;
+    v->set = fits(r, v, n) && qn_value_read(r, n->kind == QN_NODE_SCALAR ? n->text : " ", v);
+    if (!v->set)
+        *v = (qn_value){.key = v->key, .path = v->path, .node = n, .mark = n->mark, .text = ""};
 }
 
-static void read_written(qn_reader *r, const qn_section *s, const qn_section_from *from,
-                         qn_value *values)
+/// A misspelt key is read as the one that was probably meant, so that nothing more is said about that one
+/// being missing; a value that does not fit it is passed over.
+static void read_meant(qn_reader *r, const qn_node *n, qn_value *v)
 {
+    qn_messages *messages = r->messages, none = {0};
+    r->messages = &none;
+    read_node(r, n, v);
+    r->messages = messages;
+    qn_messages_free(&none);
+}
+
+/// Reads what is written; how many keys were misspelt.
+static int read_written(qn_reader *r, const qn_section *s, const qn_section_from *from,
+                        qn_value *values)
+{
+    int misspelt = 0;
+    const qn_node *meant[KEYS_MAX] = {NULL};
     for (const qn_node *n = from->node->first; n && !qn_messages_full(r->messages); n = n->next) {
         int k = key_index(s, n->key);
         if (k < 0) {
-            complain_about_key(r, s, from->path, n);
+            k = complain_about_key(r, s, from->path, n);
+            if (k >= 0) meant[k] = n;
             continue;
         }
-        qn_value *v = &values[k];
-        if (v->node) {
+        if (values[k].node) {
             qn_complain_at(r, n->key_mark, "key '%s' appears twice in %s; it is first in line %d",
-                           n->key, *from->path ? from->path : "the scene", v->node->key_mark.line);
+                           n->key, *from->path ? from->path : "the scene",
+                           values[k].node->key_mark.line);
             continue;
         }
-        v->node = n;
-        v->mark = n->mark;
-        v->set = fits(r, v, n) && qn_value_read(r, n->kind == QN_NODE_SCALAR ? n->text : " ", v);
-        if (!v->set)
-            *v = (qn_value){.key = v->key, .path = v->path, .node = n, .mark = n->mark, .text = ""};
+        read_node(r, n, &values[k]);
     }
+    for (int k = 0; k < s->key_count; k++)
+        if (meant[k]) {
+            misspelt++;
+            if (!values[k].node) read_meant(r, meant[k], &values[k]);
+        }
+    return misspelt;
 }
 
 void qn_section_read(qn_reader *r, qn_section_id id, qn_section_from from, void *out)
@@ -136,7 +177,9 @@ void qn_section_read(qn_reader *r, qn_section_id id, qn_section_from from, void 
                        kind_of_node(from.node));
         return;
     }
-    if (is_map) read_written(r, s, &from, values);
+    int misspelt = is_map ? read_written(r, s, &from, values) : 0;
+    // In a material it may be the one that says where the rest is to be found.
+    bool is_partial = from.is_partial || (misspelt > 0 && id == QN_SECTION_MATERIAL);
     for (int i = 0; i < s->key_count; i++) {
         qn_value *v = &values[i];
         if (v->node) continue;
@@ -146,7 +189,7 @@ void qn_section_read(qn_reader *r, qn_section_id id, qn_section_from from, void 
             v->path = path;
             v->mark = from.mark;
         } else if (!strcmp(v->key->fallback, REQUIRED)) {
-            if (!from.is_partial && !qn_messages_full(r->messages))
+            if (!is_partial && !qn_messages_full(r->messages))
                 qn_complain_at(r, from.mark, "%s lacks the key '%s': %s",
                                *path ? path : "the scene", v->key->name, v->key->meaning);
         } else if (*v->key->fallback)

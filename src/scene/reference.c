@@ -52,7 +52,7 @@ static void write_markdown(FILE *out, const qn_section *s)
         const qn_key *k = &s->keys[i];
         char form[512], range[128];
         form_of(k, form, sizeof form);
-        qn_key_range_text(k, range, sizeof range);
+        qn_key_range_text(k, qn_units_first(k->units), range, sizeof range);
         fprintf(out, "| `%s` | %s | %s | %s | %s%s |\n", k->name, form, range, default_of(k),
                 k->meaning, mark_of(k));
     }
@@ -65,7 +65,7 @@ static void write_plain(FILE *out, const qn_section *s)
         const qn_key *k = &s->keys[i];
         char form[512], range[128];
         form_of(k, form, sizeof form);
-        qn_key_range_text(k, range, sizeof range);
+        qn_key_range_text(k, qn_units_first(k->units), range, sizeof range);
         fprintf(out, "    %-18s %s%s\n", k->name, k->meaning, mark_of(k));
         fprintf(out, "    %-18s   %s%s%s", "", form, *range ? "; " : "", range);
         if (!strcmp(k->fallback, REQUIRED))

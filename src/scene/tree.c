@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/tree.h"
 
+#include "scene/syntax.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -164,14 +166,6 @@ static qn_status take_event(walk *w, const yaml_event_t *e)
     }
 }
 
-/// The character at a mark is a tab, which YAML does not take as indentation.
-static bool is_tab(const qn_source *s, yaml_mark_t at)
-{
-    const char *p = s->text, *end = p + s->length;
-    for (size_t line = 0; p < end && line < at.line; p++) line += *p == '\n';
-    return (size_t)(end - p) > at.column && p[at.column] == '\t';
-}
-
 static qn_status refuse_syntax(walk *w, const yaml_parser_t *parser)
 {
     qn_mark mark = mark_of(parser->problem_mark, parser->problem_mark);
@@ -181,12 +175,12 @@ static qn_status refuse_syntax(walk *w, const yaml_parser_t *parser)
                    parser->problem_offset + 1, parser->problem);
         return qn_fail(QN_INPUT, "%s is not a text file", w->source->name);
     }
-    if (is_tab(w->source, parser->problem_mark))
-        return refuse(w, mark, "a tab cannot be used to indent; use spaces");
-    qn_message(w->messages, w->source, QN_ERROR, mark, "%s%s%s",
-               parser->problem ? parser->problem : "the text could not be read",
-               parser->context ? " " : "", parser->context ? parser->context : "");
-    return qn_fail(QN_INPUT, "%s is not valid YAML", w->source->name);
+    char sentence[256];
+    qn_mark context = {0};
+    if (parser->context) context = mark_of(parser->context_mark, parser->context_mark);
+    mark = qn_syntax_explain(w->source, parser->problem ? parser->problem : "", mark, context,
+                             sentence, sizeof sentence);
+    return refuse(w, mark, sentence);
 }
 
 /// Text is UTF-8 without control characters; libyaml then sees the same lines as the messages.

@@ -10,10 +10,8 @@ static const qn_unit units[] = {
 #undef U
 };
 
-static const struct {
-    const char *what, *si;
-} dimensions[] = {
-#define D(NAME, what, si) {what, si},
+static const char *const dimensions[] = {
+#define D(NAME, what) what,
     QN_DIMENSIONS(D)
 #undef D
 };
@@ -52,18 +50,19 @@ void qn_units_describe(unsigned accepted, char *text, size_t size)
     *text = '\0';
     for (int i = 0; i < QN_DIMENSION_COUNT; i++) {
         unsigned rest = accepted >> i;
-        if (rest & 1) append(text, size, rest == 1 ? " or " : ", ", dimensions[i].what);
+        if (rest & 1) append(text, size, rest == 1 ? " or " : ", ", dimensions[i]);
     }
 }
 
-const char *qn_units_si(unsigned accepted)
+const qn_unit *qn_units_first(unsigned accepted)
 {
-    for (int i = 0; i < QN_DIMENSION_COUNT; i++)
-        if (accepted >> i & 1) return dimensions[i].si;
-    return "";
+    unsigned lowest = accepted & ~(accepted - 1);
+    for (int i = 0; i < UNIT_COUNT; i++)
+        if (lowest >> units[i].dimension & 1) return &units[i];
+    return NULL;
 }
 
 const char *qn_dimension_text(int dimension)
 {
-    return dimensions[dimension].what;
+    return dimensions[dimension];
 }

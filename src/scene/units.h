@@ -9,23 +9,23 @@
 #include <stddef.h>
 
 // clang-format off
-//    NAME           what it is            in SI
-#define QN_DIMENSIONS(D)                                      \
-    D(PURE,         "a pure number",       "")                \
-    D(PERCENT,      "a share",             "")                \
-    D(LENGTH,       "a length",            "m")               \
-    D(TIME,         "a time",              "s")               \
-    D(REVOLUTIONS,  "turns of the drum",   "rev")             \
-    D(STEPS,        "time steps",          "steps")           \
-    D(MASS,         "a mass",              "kg")              \
-    D(DENSITY,      "a density",           "kg/m3")           \
-    D(PRESSURE,     "a pressure",          "Pa")              \
-    D(STIFFNESS,    "a spring stiffness",  "N/m")             \
-    D(ACCELERATION, "an acceleration",     "m/s2")            \
-    D(VELOCITY,     "a velocity",          "m/s")             \
-    D(SPIN,         "an angular velocity", "rad/s")           \
-    D(CRITICAL,     "a share of the critical speed", "critical") \
-    D(ANGLE,        "an angle",            "rad")
+//    NAME           what it is
+#define QN_DIMENSIONS(D)                            \
+    D(PURE,         "a pure number")                \
+    D(PERCENT,      "a share")                      \
+    D(LENGTH,       "a length")                     \
+    D(TIME,         "a time")                       \
+    D(REVOLUTIONS,  "turns of the drum")            \
+    D(STEPS,        "time steps")                   \
+    D(MASS,         "a mass")                       \
+    D(DENSITY,      "a density")                    \
+    D(PRESSURE,     "a pressure")                   \
+    D(STIFFNESS,    "a spring stiffness")           \
+    D(ACCELERATION, "an acceleration")              \
+    D(VELOCITY,     "a velocity")                   \
+    D(SPIN,         "an angular velocity")          \
+    D(CRITICAL,     "a share of the critical speed")\
+    D(ANGLE,        "an angle")
 
 //    dimension     name         times                    over
 #define QN_UNITS(U)                                         \
@@ -67,12 +67,12 @@
     U(SPIN,         "rpm",       3.14159265358979323846,  30)   \
     U(SPIN,         "deg/s",     3.14159265358979323846,  180)  \
     U(CRITICAL,     "%critical", 1,                       100)  \
-    U(ANGLE,        "rad",       1,                       1)    \
-    U(ANGLE,        "deg",       3.14159265358979323846,  180)
+    U(ANGLE,        "deg",       3.14159265358979323846,  180)  \
+    U(ANGLE,        "rad",       1,                       1)
 // clang-format on
 
 enum {
-#define D(NAME, what, si) QN_DIMENSION_##NAME,
+#define D(NAME, what) QN_DIMENSION_##NAME,
     QN_DIMENSIONS(D)
 #undef D
         QN_DIMENSION_COUNT
@@ -80,7 +80,7 @@ enum {
 
 /// What a key accepts: one bit for each dimension, and a few usual sets of them.
 enum {
-#define D(NAME, what, si) QN_IN_##NAME = 1 << QN_DIMENSION_##NAME,
+#define D(NAME, what) QN_IN_##NAME = 1 << QN_DIMENSION_##NAME,
     QN_DIMENSIONS(D)
 #undef D
         QN_IN_SHARE = QN_IN_PURE | QN_IN_PERCENT,
@@ -103,8 +103,8 @@ void qn_units_list(unsigned accepted, char *text, size_t size);
 /// "a time, turns of the drum or time steps"
 void qn_units_describe(unsigned accepted, char *text, size_t size);
 
-/// SI unit of the first dimension accepted; "" for a pure number.
-const char *qn_units_si(unsigned accepted);
+/// The first unit of the first dimension accepted; NULL for a pure number.
+const qn_unit *qn_units_first(unsigned accepted);
 
 const char *qn_dimension_text(int dimension);
 

@@ -37,6 +37,24 @@ static const char *past_spaces(const char *p)
     return p + strspn(p, " \n");
 }
 
+/// What stands directly behind a number and cannot: a decimal comma, a letter for a digit. Says so and
+/// returns true.
+static bool is_misspelt(qn_reader *r, const qn_value *v, const char *rest)
+{
+    size_t run = strspn(rest, "oOlI0123456789");
+    bool row = v->key->kind == QN_KIND_NUMBERS || v->key->kind == QN_KIND_VECTOR;
+    if (*rest == ',' && row)
+        qn_complain(r, v, "has a comma: numbers stand apart by blanks, and decimals follow a '.'");
+    else if (*rest == ',')
+        qn_complain(r, v, "has a comma: decimals follow a '.', and thousands are not set apart");
+    else if (run > 0 && (!rest[run] || isspace((unsigned char)rest[run])))
+        qn_complain(r, v, "is not a number: '%c' is a letter, not the digit %c", *rest,
+                    strchr("oO", *rest) ? '0' : '1');
+    else
+        return false;
+    return true;
+}
+
 /// The numbers of `text` up to `room`; *rest is what follows them. Returns how many, -1 with a message
 /// if there is none or one is too large.
 static int read_numbers(qn_reader *r, const qn_value *v, const char *text, double *x, int room,
@@ -52,6 +70,7 @@ static int read_numbers(qn_reader *r, const qn_value *v, const char *text, doubl
         }
         if (f == FOUND_NONE) break;
         n++;
+        if (is_misspelt(r, v, p)) return -1;
         bool apart = isspace((unsigned char)*p);
         p = past_spaces(p);
         if (!apart) break;
@@ -92,6 +111,17 @@ static bool complain_about_unit(qn_reader *r, const qn_value *v, const char *nam
     return false;
 }
 
+static void complain_about_range(qn_reader *r, const qn_value *v, const qn_unit *unit, double x)
+{
+    char range[128];
+    bool is_percent = v->key->units & QN_IN_PERCENT && !unit && x >= 2 && x <= 100;
+    qn_key_range_text(v->key, unit, range, sizeof range);
+    if (is_percent && qn_key_allows(v->key, x / 100))
+        qn_complain(r, v, "must be %s (%s); did you mean %g %%?", range, v->key->meaning, x);
+    else
+        qn_complain(r, v, "must be %s (%s)", range, v->key->meaning);
+}
+
 /// Turns numbers into SI by the unit that stands behind them, and holds them against the range.
 static bool apply_unit(qn_reader *r, qn_value *v, const char *name, double *x, int n)
 {
@@ -108,9 +138,7 @@ static bool apply_unit(qn_reader *r, qn_value *v, const char *name, double *x, i
             return false;
         }
         if (!qn_key_allows(v->key, x[i])) {
-            char range[128];
-            qn_key_range_text(v->key, range, sizeof range);
-            qn_complain(r, v, "must be %s (%s)", range, v->key->meaning);
+            complain_about_range(r, v, unit, x[i]);
             return false;
         }
     }
@@ -198,6 +226,7 @@ static bool read_material(qn_reader *r, const char *text, qn_value *v)
 {
     v->choice = qn_material_find(r->def, text, strlen(text));
     if (v->choice >= 0) return true;
+    if (r->def->material_count == 0 && r->messages->errors > 0) return false;  // told already
     char known[QN_NAMES_MAX * 16] = "", nearest[64];
     for (int i = 0; i < r->def->material_count; i++)
         if (strlen(known) + QN_NAME_MAX + 2 < sizeof known)

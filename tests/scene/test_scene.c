@@ -88,10 +88,20 @@ static const struct {
     {"300 mm", "300", "s.yaml:11:13: error: drum.diameter = 300 needs a unit: m, mm, cm, um, in"},
     {"0.23", "0.23 m", "s.yaml:4:35: error: materials.glass.poisson = 0.23 m is a pure number and takes no unit"},
     {"20 %", "20 mm", "s.yaml:7:24: error: contacts.defaults.friction = 20 mm is a pure number and takes no unit but %"},
-    {"2500}", "25oo}", "s.yaml:18:51: error: particles.balls.count = 25oo is not a number: 'oo' is left over"},
+    {"2500}", "25oo}", "s.yaml:18:51: error: particles.balls.count = 25oo is not a number: 'o' is a letter, not the digit 0"},
+    {"2500}", "25oo,5}", "s.yaml:18:51: error: particles.balls.count = 25oo is not a number: 'o' is a letter, not the digit 0"},
+    {"2500}", "2l00}", "s.yaml:18:51: error: particles.balls.count = 2l00 is not a number: 'l' is a letter, not the digit 1"},
+    {"2500}", "25x}", "s.yaml:18:51: error: particles.balls.count = 25x is not a number: 'x' is left over"},
+    {"density: 2500 kg/m3", "density: 25oo kg/m3", "s.yaml:4:50: error: materials.glass.density = 25oo kg/m3 is not a number: 'o' is a letter, not the digit 0"},
+    {"300 mm", "4,5 mm", "s.yaml:11:13: error: drum.diameter = 4,5 mm has a comma: decimals follow a '.', and thousands are not set apart"},
+    {"ids: 1 2 3}}", "ids: '1, 2'}}", "s.yaml:19:49: error: measure.traces.ids = 1, 2 has a comma: numbers stand apart by blanks, and decimals follow a '.'"},
+    {"time:", "gravity: 0, -9.81, 0 m/s2\ntime:", "s.yaml:2:10: error: gravity = 0, -9.81, 0 m/s2 has a comma: numbers stand apart by blanks, and decimals follow a '.'"},
+    {"count: 2500", "filling: 30", "s.yaml:18:53: error: particles.balls.filling = 30 must be above 0 and at most 1 (share of the drum's volume that the bed at rest takes, voids included); did you mean 30 %?"},
+    {"count: 2500", "filling: 130 %", "s.yaml:18:53: error: particles.balls.filling = 130 % must be above 0 and at most 100 % (share of the drum's volume that the bed at rest takes, voids included)"},
+    {"45 deg", "100 deg", "s.yaml:16:61: error: drum.lifters.face_angle = 100 deg must be above 0 and at most 90 deg (between side face and shell, 90 deg is rectangular; instead of base)"},
     {"2500}", "2500.5}", "s.yaml:18:51: error: particles.balls.count = 2500.5 is not a whole number"},
     {"2500}", "many}", "s.yaml:18:51: error: particles.balls.count = many is not a whole number"},
-    {"diameter: 3 mm", "diameter: -3 mm", "s.yaml:18:38: error: particles.balls.diameter = -3 mm must be above 0 m (of every sphere; this or sizes)"},
+    {"diameter: 3 mm", "diameter: -3 mm", "s.yaml:18:38: error: particles.balls.diameter = -3 mm must be above 0 mm (of every sphere; this or sizes)"},
     {"0.23", "nan", "s.yaml:4:35: error: materials.glass.poisson = nan is not a number"},
     {"64 MPa", "inf MPa", "s.yaml:4:18: error: materials.glass.young = inf MPa is not a number"},
     {"64 MPa", "0x40 MPa", "s.yaml:4:18: error: materials.glass.young = 0x40 MPa has no known unit: 'x40 MPa'; allowed: Pa, kPa, MPa, GPa"},
@@ -120,10 +130,25 @@ static const struct {
     {"{end: 2 rev}", "!!map {end: 2 rev}", "s.yaml:2:7: error: anchors (&), aliases (*) and tags (!) are not part of a scene"},
     {"drum:\n", "---\ndrum:\n", "s.yaml:10:1: error: a second document begins; one file is one scene"},
     {"format: ", "? [a]\n: b\nformat: ", "s.yaml:1:3: error: a key must be a plain word, not a map or list"},
-    {"{end: 2 rev}", "{end: 2 rev", "s.yaml:3:10: error: did not find expected ',' or '}' while parsing a flow mapping"},
+    {"  length: 9 mm", "  length 9 mm", "s.yaml:12:3: error: a ':' is missing: each line is a key, a colon, a space and a value"},
+    {"  length: 9 mm", "  length:9 mm", "s.yaml:12:9: error: a space is missing behind the ':'"},
+    {"  length: 9 mm", "  length 9 mm # mm", "s.yaml:12:3: error: a ':' is missing: each line is a key, a colon, a space and a value"},
+    {"count: 16", "count:16", "s.yaml:16:13: error: unknown key 'count:16' in drum.lifters: a space is missing behind the ':'"},
+    {"  length: 9 mm", "   length: 9 mm", "s.yaml:12:4: error: this line begins in column 4, that above in column 3: keys of one section begin in the same column, and a key with keys below it has no value of its own"},
+    {"  length: 9 mm", " length: 9 mm", "s.yaml:12:2: error: this line begins in column 2, where no section above has its keys: keys of one section begin in the same column"},
+    {"  length: 9 mm", "- length: 9 mm", "s.yaml:12:1: error: an entry of a list ('-') cannot stand among keys"},
+    {"  length: 9 mm", "  \tlength: 9 mm", "s.yaml:12:3: error: a tab cannot be used to indent; use spaces"},
+    {"time: {end: 2 rev}", "title: A mill: mine\ntime: {end: 2 rev}", "s.yaml:2:14: error: a second ':' in the same line: put a value that holds ': ' in quotes, and each key in a line of its own"},
+    {"time: {end: 2 rev}", "title: @mill\ntime: {end: 2 rev}", "s.yaml:2:8: error: a value cannot begin with '@'; put it in quotes"},
+    {"time: {end: 2 rev}", "title: 'mill\ntime: {end: 2 rev}", "s.yaml:2:8: error: the quote (') is not closed"},
+    {"time: {end: 2 rev}", "title: 'a' mill\ntime: {end: 2 rev}", "s.yaml:2:12: error: this does not belong to the value before it"},
+    {"time: {end: 2 rev}", "time: {end: 2 rev seed: 1}", "s.yaml:2:23: error: a ',' or '}' is missing here"},
+    {"time: {end: 2 rev}", "time: ,", "s.yaml:2:7: error: a value is missing before ','"},
+    {"time: {end: 2 rev}", "time:\n  end:2 rev", "s.yaml:3:3: error: time = end:2 rev is a single value, but should be a map of keys: a space is missing behind the ':'"},
+    {"{end: 2 rev}", "{end: 2 rev", "s.yaml:2:7: error: the '{' is still open in line 3: a ',' or its '}' is missing"},
     {"count: 16", "count: 400", "s.yaml:16:20: error: drum.lifters.count = 400 lifters with a base of 18 mm do not fit on a shell 942.478 mm around"},
     {"height: 6 mm", "height: 160 mm", "s.yaml:16:32: error: drum.lifters.height = 160 mm reaches the axis of a drum of 300 mm"},
-    {"face_angle: 45 deg", "face_angle: 45", "s.yaml:16:61: error: drum.lifters.face_angle = 45 needs a unit: rad, deg"},
+    {"face_angle: 45 deg", "face_angle: 45", "s.yaml:16:61: error: drum.lifters.face_angle = 45 needs a unit: deg, rad"},
     {"face_angle: 45 deg", "base: 3 mm", "s.yaml:16:55: error: drum.lifters.base = 3 mm is narrower than the top, 6 mm"},
     {"time:", "gravity: 0 0 -9.81 m/s2\ntime:", "s.yaml:2:10: error: gravity acts along z, the axis of a drum with periodic ends; use ends: fixed"},
     {"time:", "gravity: 0 -9.81 m/s2\ntime:", "s.yaml:2:10: error: gravity = 0 -9.81 m/s2 has 2 numbers, but three are needed: x y z, then the unit"},
@@ -180,11 +205,46 @@ static void all_errors_come_in_one_go(void)
     qn_messages messages = {0};
     qn_status status = qn_scene_read_text(more, strlen(more), "s.yaml", NULL, &def, &messages);
     bool both = messages.errors == 2 && strstr(messages.text, "young = 64 needs a unit")
-                && strstr(messages.text, "diameter = -1 mm must be above 0 m");
+                && strstr(messages.text, "diameter = -1 mm must be above 0 mm");
     qn_messages_free(&messages);
     free(text);
     free(more);
     CHECK(status == QN_INPUT && both);
+}
+
+/// Errors of a scene with its bytes from `at`, `length` of them, made `to`; what they are is printed if
+/// they are not one.
+static int errors_with(const char *at, size_t length, const char *to)
+{
+    char text[sizeof good + 64];
+    qn_def def;
+    qn_messages messages = {0};
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(at - good), good, to, at + length);
+    qn_status status = qn_scene_read_text(text, strlen(text), "s.yaml", NULL, &def, &messages);
+    int errors = status == QN_INPUT ? messages.errors : 0;
+    if (errors != 1) printf("  %.*s -> %s:\n%s", (int)length, at, to, messages.text);
+    qn_messages_free(&messages);
+    qn_def_free(&def);
+    return errors;
+}
+
+static void one_mistake_is_one_error(void)
+{
+    bool all = true;
+    for (const char *colon = strchr(good, ':'); colon; colon = strchr(colon + 1, ':')) {
+        const char *key = colon, *value = colon + 2;
+        while (key > good && !strchr(" {\n", key[-1])) key--;
+        size_t length = (size_t)(colon - key);
+        char swapped[sizeof good];
+        snprintf(swapped, sizeof swapped, "%.*s", (int)length, key);
+        swapped[0] = key[1], swapped[1] = key[0];
+        bool is_name = !strncmp(key, "glass", 5) || !strncmp(key, "soft-", 5)
+                       || !strncmp(key, "balls", 5) || !strncmp(key, "defaults", 8);
+        if (!is_name) all = all && errors_with(key, length, swapped) == 1;
+        size_t end = strcspn(value, ",}\n");
+        if (colon[1] == ' ' && *value != '{') all = all && errors_with(value, end, "?") == 1;
+    }
+    CHECK(all);
 }
 
 static void the_scene_without_a_fault_is_read_as_it_is_meant(void)
@@ -408,6 +468,7 @@ int main(int argc, char **argv)
     TEST(the_scene_without_a_fault_is_read_as_it_is_meant);
     TEST(what_is_wrong_gets_its_place_and_sentence);
     TEST(the_caret_stands_under_the_value);
+    TEST(one_mistake_is_one_error);
     TEST(all_errors_come_in_one_go);
     TEST(no_more_than_fifty_errors_are_told);
     TEST(what_is_no_scene_at_all_is_refused);
