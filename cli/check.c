@@ -193,13 +193,16 @@ int cli_check(int argc, char **argv)
         if (!strcmp(argv[i], "--json"))
             as_json = true;
         else if (*argv[i] == '-' || path) {
-            fprintf(stderr, "quern check: '%s' is not expected here\n", argv[i]);
+            fprintf(stderr, "quern check: '%s' is %s\n", argv[i],
+                    *argv[i] == '-' ? "not an option; there is only --json"
+                                    : "one word too many: give one scene");
             cli_usage("check", true);
             return qn_status_exit(QN_INPUT);
         } else
             path = argv[i];
     }
     if (!path) {
+        fprintf(stderr, "quern check: which scene? Give one scene file\n");
         cli_usage("check", true);
         return qn_status_exit(QN_INPUT);
     }

@@ -18,6 +18,9 @@ int cli_help(int argc, char **argv);
 /// Draws the pictures of a run folder at the end of a run; the exit code of the script.
 int cli_plot_run(const char *folder);
 
+/// Says that there is no such command, or word of `more`, with the nearest there is; the exit code.
+int cli_unknown(const char *who, const char *word, const char *more);
+
 /// Prints the help of a command (or of all, for NULL or an unknown one) to stdout or stderr.
 void cli_usage(const char *command, bool is_error);
 

@@ -17,7 +17,7 @@
       "  --json   the same numbers as JSON\n\n"                                                              \
       "Derived numbers, time step, coefficients of each pair, and estimates of wall time, memory and disk.\n" \
       "What is wrong with the scene comes with line and column; the exit code is then 2.\n")                 \
-    C("run",   "SCENE [-o DIR] [--threads N] [--until SPAN] [--steps N] [--resume] [--force] [--quiet]",     \
+    C("run",   "SCENE [-o DIR] [--threads N] [--until SPAN] [--steps N] [--resume] [--force] [--quiet] [--no-pictures]", \
                                                   "run a scene into a folder",                               \
       "  -o DIR        run folder, instead of the scene's own\n"                                             \
       "  --threads N   as many threads; all processors if not given\n"                                       \
@@ -74,20 +74,38 @@ static int print_reference(bool markdown)
     return qn_status_exit(QN_OK);
 }
 
+static bool is_command(const char *name)
+{
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (!strcmp(commands[i].name, name)) return true;
+    return false;
+}
+
+int cli_unknown(const char *who, const char *word, const char *more)
+{
+    char nearest[64], names[256];
+    snprintf(names, sizeof names, "%s", more);
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        strcat(strcat(names, " "), commands[i].name);  // the list above: it fits
+    bool like = qn_nearest_word(word, names, nearest, sizeof nearest);
+    fprintf(stderr, "%s: there is no command '%s'%s%s%s\n", who, word, like ? "; did you mean '" : "",
+            like ? nearest : "", like ? "'?" : "");
+    cli_usage(NULL, true);
+    return qn_status_exit(QN_INPUT);
+}
+
 int cli_help(int argc, char **argv)
 {
     const char *topic = argc > 1 ? argv[1] : NULL;
-    if (topic && !strcmp(topic, "scene"))
-        return print_reference(argc > 2 && !strcmp(argv[2], "--markdown"));
-    char nearest[64], names[256] = "scene";
-    for (int i = 0; i < COMMAND_COUNT; i++) {
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, " %s", commands[i].name);
+    bool scene = topic && !strcmp(topic, "scene");
+    bool markdown = scene && argc > 2 && !strcmp(argv[2], "--markdown");
+    if (argc > 2 + markdown) {
+        fprintf(stderr, "quern help: '%s' is one word too many\n", argv[2 + markdown]);
+        cli_usage("help", true);
+        return qn_status_exit(QN_INPUT);
     }
-    bool known = !topic;
-    for (int i = 0; i < COMMAND_COUNT && !known; i++) known = !strcmp(commands[i].name, topic);
-    if (!known && qn_nearest_word(topic, names, nearest, sizeof nearest))
-        fprintf(stderr, "quern help: there is no '%s'; did you mean '%s'?\n", topic, nearest);
-    cli_usage(topic, !known);
-    return known ? qn_status_exit(QN_OK) : qn_status_exit(QN_INPUT);
+    if (scene) return print_reference(markdown);
+    if (topic && !is_command(topic)) return cli_unknown("quern help", topic, "scene");
+    cli_usage(topic, false);
+    return qn_status_exit(QN_OK);
 }

@@ -224,7 +224,11 @@ static qn_status print_info(const char *path)
 int cli_info(int argc, char **argv)
 {
     if (argc != 2) {
-        fprintf(stderr, "quern info: give one folder or file\n");
+        if (argc > 2)
+            fprintf(stderr, "quern info: '%s' is one word too many: give one folder or file\n",
+                    argv[2]);
+        else
+            fprintf(stderr, "quern info: of what? Give one folder or file\n");
         cli_usage("info", true);
         return qn_status_exit(QN_INPUT);
     }

@@ -40,7 +40,5 @@ int main(int argc, char **argv)
         if (asks) return cli_usage(name, false), 0;
         return argc > 1 ? commands[i].command(argc - 1, argv + 1) : cli_help(1, argv);
     }
-    fprintf(stderr, "quern: there is no command '%s'\n", name);
-    cli_usage(NULL, true);
-    return qn_status_exit(QN_INPUT);
+    return cli_unknown("quern", name, "");
 }

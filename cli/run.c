@@ -74,6 +74,16 @@ static bool parse_whole(const char *text, int64_t low, int64_t high, int64_t *va
     return rest != text && !*rest && !errno && *value >= low && *value <= high;
 }
 
+static qn_status unknown_option(const struct option *table, const char *given)
+{
+    char known[256] = "", nearest[64];
+    for (const struct option *t = table; t->name; t++)
+        strcat(strcat(known, " --"), t->name);  // a table of this file: it fits
+    if (qn_nearest_word(given, known, nearest, sizeof nearest))
+        return qn_fail(QN_INPUT, "'%s' is not an option; did you mean '%s'?", given, nearest);
+    return qn_fail(QN_INPUT, "'%s' is not an option", given);
+}
+
 static qn_status parse(int argc, char **argv, options *o)
 {
     static const struct option table[] = {
@@ -88,8 +98,9 @@ static qn_status parse(int argc, char **argv, options *o)
         {0, 0, 0, 0},
     };
     int64_t number;
+    bool until = false, steps = false, resume = false, force = false;
     opterr = 0;
-    for (int c; (c = getopt_long(argc, argv, "o:", table, NULL)) != -1;) switch (c) {
+    for (int c; (c = getopt_long(argc, argv, ":o:", table, NULL)) != -1;) switch (c) {
         case 'o': o->folder = optarg; break;
         case 't':
             if (!parse_whole(optarg, 1, 1024, &number))
@@ -99,21 +110,30 @@ static qn_status parse(int argc, char **argv, options *o)
         case 'u':
             if (!parse_span(optarg, &o->end))
                 return bad("--until", optarg, "a span such as '2 s', '3 rev' or '500 steps'");
-            o->has_end = true;
+            until = true;
             break;
         case 's':
             if (!parse_whole(optarg, 0, (int64_t)1e15, &number))
                 return bad("--steps", optarg, "a whole number from 0 on");
             o->end = (qn_span){(double)number, QN_STEPS};
-            o->has_end = true;
+            steps = true;
             break;
-        case 'r': o->mode = QN_RESUME; break;
-        case 'f': o->mode = QN_FORCE; break;
+        case 'r': resume = true; break;
+        case 'f': force = true; break;
         case 'q': o->quiet = true; break;
         case 'n': o->pictures = false; break;
-        default: return qn_fail(QN_INPUT, "what is '%s'?", argv[optind - 1]);
+        case ':': return qn_fail(QN_INPUT, "'%s' needs a value behind it", argv[optind - 1]);
+        default: return unknown_option(table, argv[optind - 1]);
         }
-    if (optind + 1 != argc) return qn_fail(QN_INPUT, "give one scene");
+    if (until && steps)
+        return qn_fail(QN_INPUT, "--until and --steps both say when the run ends; give one");
+    if (resume && force)
+        return qn_fail(QN_INPUT, "--resume goes on with a run, --force replaces it; give one");
+    o->has_end = until || steps;
+    o->mode = resume ? QN_RESUME : force ? QN_FORCE : QN_NEW;
+    if (optind == argc) return qn_fail(QN_INPUT, "which scene? Give one scene file");
+    if (optind + 1 < argc)
+        return qn_fail(QN_INPUT, "'%s' is one word too many: give one scene", argv[optind + 1]);
     o->scene = argv[optind];
     return QN_OK;
 }

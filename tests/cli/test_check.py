@@ -81,9 +81,9 @@ def errors():
     wrong = write("mill.yaml", changed(MILL, ("15 mm", "15")))
     done = quern("check", wrong, "--json").expect(INPUT, "mill.yaml:13:11:")
     assert done.out == "", done.out
-    quern("check").expect(INPUT, "usage: quern check")
-    quern("check", wrong, wrong).expect(INPUT, "usage: quern check")
-    quern("check", wrong, "--jason").expect(INPUT, "--jason")
+    quern("check").expect(INPUT, "which scene?", "usage: quern check")
+    quern("check", wrong, "two").expect(INPUT, "'two' is one word too many", "usage: quern check")
+    quern("check", wrong, "--jason").expect(INPUT, "'--jason' is not an option", "--json")
 
 
 main()

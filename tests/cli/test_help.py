@@ -21,14 +21,19 @@ def commands():
 @test("help run names every option that run takes")
 def options():
     text = quern("help", "run").expect(0).out
-    for option in "-o --threads --until --steps --resume --force --quiet".split():
+    for option in "-o --threads --until --steps --resume --force --quiet --no-pictures".split():
         assert option in text, option
 
 
 @test("help for an unknown word names the nearest and exits with 2")
 def unknown():
-    done = quern("help", "rum").expect(INPUT, "rum", "'run'")
+    done = quern("help", "rum").expect(INPUT, "no command 'rum'; did you mean 'run'?", "quern check")
     assert done.out == ""
+    done = quern("help", "nonsense").expect(INPUT, "no command 'nonsense'\n", "quern check")
+    assert done.out == ""
+    quern("help", "sceen").expect(INPUT, "did you mean 'scene'?")
+    quern("help", "run", "fast").expect(INPUT, "'fast' is one word too many")
+    quern("help", "scene", "--html").expect(INPUT, "'--html' is one word too many")
 
 
 @test("help scene lists the keys, and its page in docs is up to date")

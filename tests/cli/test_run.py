@@ -99,15 +99,20 @@ def bad_options():
                        (["--steps", "10x"], "10x"), (["--until", "2 kg"], "2 kg"),
                        (["--until", "2"], "--until"), (["--until", "soon"], "soon"),
                        (["--until", "-1 s"], "-1 s"), (["--until", "nan s"], "nan"),
-                       (["--frobnicate"], "--frobnicate"), (["--steps"], "--steps"),
-                       (["other.yaml"], "one scene")):
+                       (["--frobnicate"], "--frobnicate"), (["--steps"], "'--steps' needs a value"),
+                       (["-o"], "'-o' needs a value"), (["-x"], "'-x' is not an option"),
+                       (["--forse"], "'--forse' is not an option; did you mean '--force'?"),
+                       (["--steps", "3", "--until", "1 s"], "--until and --steps"),
+                       (["--resume", "--force"], "--resume goes on with a run, --force"),
+                       (["other.yaml"], "'other.yaml' is one word too many: give one scene")):
         refuses(scene, INPUT, part, "usage: quern run", more=more)
-    quern("run").expect(INPUT, "one scene", "usage: quern run")
+    quern("run").expect(INPUT, "which scene?", "usage: quern run")
 
 
 @test("an unknown command is told, with the commands there are")
 def unknown_command():
-    done = quern("rum", "mill.yaml").expect(INPUT, "rum", "quern run")
+    done = quern("rum", "mill.yaml").expect(
+        INPUT, "quern: there is no command 'rum'; did you mean 'run'?", "quern check")
     assert done.out == ""
     assert quern().expect(0).out.count("quern ") > 6
 
