@@ -16,56 +16,108 @@ double qn_hertz_time(double k, double effective_mass, double speed, double *dept
     return 2.94328 * d / speed;
 }
 
-// Fastest impact to expect: in a drum a ball at the shell's speed falling through the diameter;
-// elsewhere the fastest ball falling through the height the scene spans.
-static double impact_speed(const qn_def *def)
+typedef struct speeds {
+    double particle, wall;  // m/s  the fastest to expect
+    double partner;         // m/s  of what a fast particle meets head-on
+} speeds;
+
+typedef struct span {
+    double low, high;
+} span;
+
+static void widen(span *s, double x)
 {
-    double g = qn_norm(def->gravity), fastest = 0, drop = 0;
-    if (def->drum.present) {
-        for (int i = 0; i < def->drum.leg_count; i++)
-            fastest =
-                qn_max(fastest, qn_max(fabs(def->drum.legs[i].from), fabs(def->drum.legs[i].to)));
-        fastest *= def->drum.diameter / 2;
-        drop = def->drum.diameter;
-    }
-    double low = INFINITY, high = -INFINITY;  // m2/s2   of the potential g.x
-    for (int k = 0; k < def->group_count; k++) {
-        const qn_group_def *group = &def->groups[k];
-        fastest = qn_max(fastest, qn_norm(group->velocity));
-        for (int i = 0; i < group->list_count; i++) {
-            const double *x = &group->list_position[3 * i];
-            double potential = qn_dot(def->gravity, qn_v3(x[0], x[1], x[2]));
-            low = qn_min(low, potential), high = qn_max(high, potential);
-            if (group->list_velocity) {
-                const double *v = &group->list_velocity[3 * i];
-                fastest = qn_max(fastest, qn_norm(qn_v3(v[0], v[1], v[2])));
-            }
-        }
-    }
-    for (int i = 0; i < def->plane_count; i++) {
-        double potential = qn_dot(def->gravity, def->planes[i].point);
-        low = qn_min(low, potential), high = qn_max(high, potential);
-    }
-    if (g > 0 && high > low) drop = qn_max(drop, (high - low) / g);
-    double speed = sqrt(fastest * fastest + 2 * g * drop);
-    return speed > 0 ? speed : 1e-3;
+    s->low = qn_min(s->low, x);
+    s->high = qn_max(s->high, x);
 }
 
-// Shortens `t` to the contact of two sides under their law.
-static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_sides *sides)
+// Speed (m/s) of the fastest point of drum and turning meshes; the height (m) they let things fall.
+static double turning_speed(const qn_def *def, double *drop)
 {
-    double mass = qn_effective_mass(sides), time, depth;
-    if (isinf(mass)) return;
-    if (contact->law == QN_LAW_LINEAR) {
-        double zeta = qn_sides_damping_ratio(sides), e = sides->restitution;
-        time = sqrt(mass / sides->stiffness) * (zeta > 1e-6 ? -log(e) / zeta : QN_PI);
-        depth = t->impact_speed * sqrt(mass / sides->stiffness);
-    } else {
-        qn_pair pair = qn_law_pair(contact->law, sides);
-        double k = pair.normal_stiffness * pow(pair.depth_scale, 1.5);
-        time = qn_hertz_time(k, mass, t->impact_speed, &depth);
+    double fastest = 0, radius = def->drum.diameter / 2;
+    if (!def->drum.present) return 0;
+    for (int i = 0; i < def->mesh_count; i++) {
+        const qn_mesh_def *mesh = &def->meshes[i];
+        for (int v = 0; mesh->turning && v < mesh->vertex_count; v++)
+            radius = qn_max(radius, hypot(mesh->vertices[3 * v], mesh->vertices[3 * v + 1]));
     }
+    for (int i = 0; i < def->drum.leg_count; i++)
+        fastest = qn_max(fastest,
+                         qn_max(fabs(def->drum.legs[i].from), fabs(def->drum.legs[i].to)) * radius);
+    *drop = 2 * radius;
+    return fastest;
+}
+
+// Height (m) between the highest and the lowest thing the scene places, along gravity.
+static double height(const qn_def *def)
+{
+    double g = qn_norm(def->gravity);
+    span s = {INFINITY, -INFINITY};  // m2/s2   of the potential g.x
+    for (int k = 0; k < def->group_count; k++)
+        for (int i = 0; i < def->groups[k].list_count; i++) {
+            const double *x = &def->groups[k].list_position[3 * i];
+            widen(&s, qn_dot(def->gravity, qn_v3(x[0], x[1], x[2])));
+        }
+    for (int i = 0; i < def->plane_count; i++)
+        widen(&s, qn_dot(def->gravity, def->planes[i].point));
+    for (int i = 0; i < def->mesh_count; i++)
+        for (int v = 0; v < def->meshes[i].vertex_count; v++) {
+            const double *x = &def->meshes[i].vertices[3 * v];
+            widen(&s, qn_dot(def->gravity, qn_v3(x[0], x[1], x[2])));
+        }
+    return g > 0 && s.high > s.low ? (s.high - s.low) / g : 0;
+}
+
+static double given_speed(const qn_def *def)
+{
+    double fastest = 0;
+    for (int k = 0; k < def->group_count; k++) {
+        const qn_group_def *group = &def->groups[k];
+        if (!group->list_velocity) fastest = qn_max(fastest, qn_norm(group->velocity));
+        for (int i = 0; group->list_velocity && i < group->list_count; i++) {
+            const double *v = &group->list_velocity[3 * i];
+            fastest = qn_max(fastest, qn_norm(qn_v3(v[0], v[1], v[2])));
+        }
+    }
+    return fastest;
+}
+
+// The fastest particle moves like the shell or as the scene says, and has fallen as far as it can. In a
+// drum it meets what moves with the shell; elsewhere another one, thrown back, that is as fast.
+static speeds speeds_of(const qn_def *def)
+{
+    double drop = 0, turning = turning_speed(def, &drop);
+    double begin = qn_max(turning, given_speed(def));
+    drop = qn_max(drop, height(def));
+    double end = sqrt(begin * begin + 2 * qn_norm(def->gravity) * drop);
+    if (!(end > 0)) end = 1e-3;
+    return (speeds){end, turning, def->drum.present ? begin : end};
+}
+
+double qn_contact_time(const qn_contact_def *contact, const qn_sides *sides, double speed,
+                       double *depth)
+{
+    double mass = qn_effective_mass(sides);
+    if (contact->law == QN_LAW_LINEAR) {
+        double time = sqrt(mass / sides->stiffness);
+        if (depth) *depth = speed * time;
+        return QN_PI * time;
+    }
+    qn_pair pair = qn_law_pair(contact->law, sides);
+    return qn_hertz_time(pair.normal_stiffness * pow(pair.depth_scale, 1.5), mass, speed, depth);
+}
+
+// Shortens `t` to the contact of two sides that meet at `speed` under their law.
+static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_sides *sides,
+                      double speed)
+{
+    double depth, zeta = qn_sides_damping_ratio(sides);
+    if (isinf(qn_effective_mass(sides))) return;
+    double time = qn_contact_time(contact, sides, speed, &depth);
+    if (contact->law == QN_LAW_LINEAR && zeta > 1e-6)
+        time *= -log(sides->restitution) / zeta / QN_PI;
     double smaller = qn_min(fabs(sides->radius[0]), fabs(sides->radius[1]));
+    t->impact_speed = qn_max(t->impact_speed, speed);
     t->contact = qn_min(t->contact, time);
     t->largest_overlap = qn_max(t->largest_overlap, depth / smaller);
 }
@@ -80,7 +132,8 @@ static double three_digits(double x)
 
 qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class_count)
 {
-    qn_timestep t = {impact_speed(def), INFINITY, INFINITY, 0, 0};
+    speeds v = speeds_of(def);
+    qn_timestep t = {0, INFINITY, INFINITY, 0, 0};
     for (int a = 0; a < class_count; a++) {
         const qn_class *c = &classes[a];
         if (c->inverse_mass > 0)
@@ -91,7 +144,8 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             qn_sides sides;
             if (!contact || !qn_classes_can_meet(def, c, &classes[b])) continue;
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);
-            take_pair(&t, contact, &sides);
+            bool both = c->inverse_mass > 0 && classes[b].inverse_mass > 0;
+            take_pair(&t, contact, &sides, v.particle + (both ? v.partner : 0));
         }
         for (int m = 0; m < def->material_count; m++) {
             const qn_contact_def *contact = qn_def_contact(def, c->material, m);
@@ -99,9 +153,10 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             qn_sides sides;
             if (!contact || !qn_def_is_wall(def, m)) continue;
             sides = qn_sides_of_wall(def, contact, c, &surface, 1);
-            take_pair(&t, contact, &sides);
+            take_pair(&t, contact, &sides, v.particle + v.wall);
         }
     }
+    if (!(t.impact_speed > 0)) t.impact_speed = v.particle;  // nothing meets anything
     t.suggested =
         three_digits(qn_min(def->rayleigh_fraction * t.rayleigh, t.contact / QN_STEPS_PER_CONTACT));
     return t;

@@ -19,7 +19,7 @@
 #define QN_STEPS_PER_CONTACT 40.0
 
 typedef struct qn_timestep {
-    double impact_speed;     // m/s  fastest impact to expect
+    double impact_speed;     // m/s  fastest impact to expect, of both sides together
     double rayleigh;         // s    shortest over the classes
     double contact;          // s    shortest over the pairs, at the impact speed
     double largest_overlap;  // 1  at the impact speed, in radii of the smaller sphere
@@ -32,6 +32,11 @@ double qn_rayleigh_time(const qn_material_def *material, double radius);
 /// Duration (s) of a Hertz contact of stiffness k (N/m^1.5) and mass m* (kg) at speed v (m/s), and its
 /// largest overlap (m) through `depth` unless NULL.
 double qn_hertz_time(double k, double effective_mass, double speed, double *depth);
+
+/// The same of a contact under any law, as if nothing were lost in it. Not for the sides of walls
+/// without a particle: one side has a mass.
+double qn_contact_time(const qn_contact_def *contact, const qn_sides *sides, double speed,
+                       double *depth);
 
 /// All of it for a definition whose classes are known. Cost: O(classes^2).
 qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class_count);
