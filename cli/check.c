@@ -118,12 +118,22 @@ static void print_pairs(const qn_world *w)
 
 static void print_time(const char *what, double seconds)
 {
-    if (seconds < 120)
-        printf("%-20s about %.2g s\n", what, seconds);
+    if (seconds < 1)
+        printf("%-20s less than a second\n", what);
+    else if (seconds < 120)
+        printf("%-20s about %.0f s\n", what, seconds);
     else if (seconds < 7200)
         printf("%-20s about %.0f min\n", what, seconds / 60);
     else
         printf("%-20s about %.1f h\n", what, seconds / 3600);
+}
+
+/// "12 kB", "3.4 MB" or "5.1 GB" of a number of bytes.
+static void print_bytes(const char *what, double bytes, const char *where)
+{
+    const char *unit = bytes < 999.5e3 ? "kB" : bytes < 999.5e6 ? "MB" : "GB";
+    double size = bytes / (bytes < 999.5e3 ? 1e3 : bytes < 999.5e6 ? 1e6 : 1e9);
+    printf("%-20s about %.*f %s%s%s\n", what, size < 10, size, unit, *where ? " in " : "", where);
 }
 
 static void print_report(const qn_world *w, const qn_forecast *f)
@@ -148,8 +158,8 @@ static void print_report(const qn_world *w, const qn_forecast *f)
     if (w->def.drum.present) printf(", %.4g turns of the drum", f->revolutions);
     printf("\n");
     print_time("wall time", f->wall_time);
-    printf("%-20s about %.3g MB\n%-20s about %.3g MB in %s\n", "memory", f->memory / 1e6, "disk",
-           f->disk / 1e6, w->def.output.directory);
+    print_bytes("memory", f->memory, "");
+    print_bytes("disk", f->disk, w->def.output.directory);
     print_pairs(w);
 }
 

@@ -88,8 +88,8 @@ int cli_unknown(const char *who, const char *word, const char *more)
     for (int i = 0; i < COMMAND_COUNT; i++)
         strcat(strcat(names, " "), commands[i].name);  // the list above: it fits
     bool like = qn_nearest_word(word, names, nearest, sizeof nearest);
-    fprintf(stderr, "%s: there is no command '%s'%s%s%s\n", who, word, like ? "; did you mean '" : "",
-            like ? nearest : "", like ? "'?" : "");
+    fprintf(stderr, "%s: there is no command '%s'%s%s%s\n", who, word,
+            like ? "; did you mean '" : "", like ? nearest : "", like ? "'?" : "");
     cli_usage(NULL, true);
     return qn_status_exit(QN_INPUT);
 }

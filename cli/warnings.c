@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LEAST_STEPS 10.0  // 1   steps in a contact: below it, a warning
+#define LEAST_STEPS 10.0   // 1   steps in a contact: below it, a warning
+#define DASHPOT_WARN 0.25  // 1   qn_forecast_dashpot(): above it, a warning
 
 static void __attribute__((format(printf, 3, 4)))
 add(char *text, size_t room, const char *format, ...)
@@ -21,26 +22,51 @@ add(char *text, size_t room, const char *format, ...)
     va_end(args);
 }
 
+static void warn_of_dashpots(const qn_world *w, const qn_forecast *f, char *text, size_t room)
+{
+    for (int i = 0; i < w->def.contact_count; i++) {
+        const qn_contact_def *c = &w->def.contacts[i];
+        qn_forecast_pair p = qn_forecast_pair_of(w, c);
+        double stiff = p.is_used ? qn_forecast_dashpot(f, c, &p) : 0;
+        if (stiff <= DASHPOT_WARN) continue;
+        add(text, room,
+            "warning: contacts.%s-%s.restitution = %g makes a dashpot that is too stiff for the "
+            "time "
+            "step (%.2g; up to %g is good): the energy balance will be off by %s; use a larger "
+            "restitution, or time.step: %.2g us\n",
+            w->def.materials[c->material_a].name, w->def.materials[c->material_b].name,
+            c->restitution, stiff, DASHPOT_WARN,
+            stiff > 1 ? "a lot, and the bed may explode" : "several percent",
+            0.95e6 * f->dt * DASHPOT_WARN / stiff);
+    }
+}
+
 const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, size_t room)
 {
-    const qn_measure_def *m = &w->def.measure;
     double fraction = f->dt / f->timestep.rayleigh, steps = f->timestep.contact / f->dt;
     text[0] = 0;
     if (fraction > QN_RAYLEIGH_WARN)
         add(text, room,
             "warning: the time step is %.2f of the Rayleigh time; up to %.1f is usual, above %.0f "
-            "is "
-            "refused\n",
+            "is refused\n",
             fraction, QN_RAYLEIGH_WARN, QN_RAYLEIGH_REFUSE);
     if (steps < LEAST_STEPS)
         add(text, room, "warning: the hardest impact has but %.1f time steps; 20 to 40 are usual\n",
             steps);
+    warn_of_dashpots(w, f, text, room);
     if (!isfinite(f->end))
         add(text, room, "warning: the drum never makes the turns that time.end asks for\n");
-    if (m->grid_count == 0) return text;
-    double start = qn_forecast_seconds(w, m->fields_start);
-    if (!(start < f->end))
-        add(text, room, "warning: measure.fields starts after the end of the run\n");
+    if (w->def.measure.grid_count == 0) return text;
+    if (!(f->fields_start < f->end))
+        add(text, room,
+            "warning: measure.fields starts at %.4g s, after the end of the run (%.4g s)\n",
+            f->fields_start, f->end);
+    else if (f->fields_end > f->end + 2 * f->dt)
+        add(text, room,
+            "warning: measure.fields lasts until %.4g s, but the run ends at %.4g s: fields and "
+            "power "
+            "are of a part of it\n",
+            f->fields_end, f->end);
     return text;
 }
 

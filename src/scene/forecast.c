@@ -12,39 +12,6 @@ double qn_forecast_seconds(const qn_world *w, qn_span span)
     return qn_drum_time(&w->def.drum, 2 * QN_PI * span.value);
 }
 
-/// Rows, samples or frames in the whole run.
-static double occasions(const qn_world *w, double end, qn_span every)
-{
-    double t = qn_forecast_seconds(w, every);
-    return t > 0 && isfinite(t) ? end / t : 0;
-}
-
-/// What a run keeps in memory: the records of each particle, its share of pairs with their history, and
-/// images beyond periodic ends.
-static double memory_of(const qn_world *w)
-{
-    const double pairs = 8, images = 1.2;
-    double records = sizeof(qn_place) + sizeof(qn_motion) + sizeof(qn_load) + sizeof(int64_t);
-    double lists = pairs * (2 * sizeof(int32_t) + sizeof(qn_contact));
-    return (double)w->count * images * (records + lists);
-}
-
-/// What a run leaves on disk: frames, kept checkpoints, the time series and the fields.
-static double disk_of(const qn_world *w, double end)
-{
-    const double frame = 44, checkpoint = 400, row = 1000;  // bytes, per particle or row
-    const qn_output_def *o = &w->def.output;
-    const qn_measure_def *m = &w->def.measure;
-    double bytes = (double)w->count
-                   * (frame * occasions(w, end, o->frames_every) + checkpoint * o->checkpoint_keep);
-    bytes += row * occasions(w, end, m->series_every);
-    for (int i = 0; i < m->grid_count; i++) {
-        double n = w->def.drum.diameter / (m->grid_cell[i] * w->largest_radius);
-        bytes += 120 * n * n * m->grid_layers[i];
-    }
-    return bytes;
-}
-
 qn_status qn_forecast_timestep(const qn_def *def, qn_timestep *timestep)
 {
     qn_class *classes;
@@ -53,6 +20,23 @@ qn_status qn_forecast_timestep(const qn_def *def, qn_timestep *timestep)
     *timestep = qn_timestep_of(def, classes, count);
     free(classes);
     return QN_OK;
+}
+
+/// Time (s) at which a span that begins at `start` (s) is over.
+static double after(const qn_world *w, double start, qn_span span)
+{
+    const qn_drum_def *drum = &w->def.drum;
+    if (span.unit != QN_REVOLUTIONS || !drum->present || !isfinite(start))
+        return start + qn_forecast_seconds(w, span);
+    double sense = drum->legs[drum->leg_count - 1].to < 0 ? -1 : 1;
+    return qn_drum_time(drum, sense * qn_drum_angle(drum, start) + 2 * QN_PI * span.value);
+}
+
+double qn_forecast_dashpot(const qn_forecast *f, const qn_contact_def *c, const qn_forecast_pair *p)
+{
+    double zeta = qn_sides_damping_ratio(&p->sides);
+    double time = qn_contact_time(c, &p->sides, f->timestep.impact_speed, NULL);
+    return 2 * QN_PI * zeta * f->dt / time;
 }
 
 qn_forecast qn_forecast_of(const qn_world *w, const qn_timestep *timestep)
@@ -73,9 +57,11 @@ qn_forecast qn_forecast_of(const qn_world *w, const qn_timestep *timestep)
         f.revolutions = isfinite(f.end) ? qn_drum_angle(drum, f.end) / (2 * QN_PI) : 0;
         f.filling = solid / w->def.bed_solidity / qn_walls_volume(&w->walls);
     }
-    f.wall_time = (double)f.steps * (double)w->count / (QN_FORECAST_RATE * w->threads);
-    f.memory = memory_of(w);
-    f.disk = disk_of(w, f.end);
+    f.fields_start = w->def.measure.grid_count > 0
+                         ? qn_forecast_seconds(w, w->def.measure.fields_start)
+                         : (double)INFINITY;
+    f.fields_end = after(w, f.fields_start, w->def.measure.fields_duration);
+    qn_forecast_costs(w, &f);
     return f;
 }
 

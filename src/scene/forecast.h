@@ -19,7 +19,8 @@ typedef struct qn_forecast {
     double dt;             // s
     double end;            // s
     int64_t steps;
-    double wall_time;     // s      estimate, at QN_FORECAST_RATE
+    double fields_start, fields_end;  // s  when voxel fields are sampled; INFINITY for never
+    double wall_time;     // s      estimate, at QN_FORECAST_RATE, without drawing pictures
     double memory, disk;  // bytes  estimates
 } qn_forecast;
 
@@ -41,6 +42,16 @@ typedef struct qn_forecast_pair {
 } qn_forecast_pair;
 
 qn_forecast_pair qn_forecast_pair_of(const qn_world *world, const qn_contact_def *contact);
+
+/// How stiff a dashpot is for the time step: 2 zeta omega dt, pi/omega being the time of the hardest
+/// contact were nothing lost in it. Tried with balls falling into a box, by restitution: at 0.05 with 40
+/// steps in a contact it is 0.3 and the energy balance is off by 3 %; at 0.01 it is 0.8, and 24 %; at 0.002
+/// it is 1.7, and the bed explodes. A single collision gains energy from 1 (linear) or 1.4 (Hertz) on.
+double qn_forecast_dashpot(const qn_forecast *forecast, const qn_contact_def *contact,
+                           const qn_forecast_pair *pair);
+
+/// Fills in wall time, memory and disk; the rest must be there.
+void qn_forecast_costs(const qn_world *world, qn_forecast *forecast);
 
 /// A span of the definition in seconds; INFINITY for turns that the drum never makes.
 double qn_forecast_seconds(const qn_world *world, qn_span span);

@@ -45,7 +45,7 @@ particles:
   balls: {material: ball, diameter: 2.5 mm, filling: 30 %, jitter: 50 %}
 measure:
   series: 20 steps
-  fields: {every: 10 steps, start: 100 steps, duration: 1 rev, cells: 1 2 4}
+  fields: {every: 10 steps, start: 100 steps, duration: 50 ms, cells: 1 2 4}
   traces: {ids: 1 50 100, every: 50 steps}
 output: {frames: 5 ms, checkpoint: 60 s, pictures: no}
 """

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """`quern check`: the reference document's numbers come out of its mills; what it refuses."""
 import json
+import math
 import pathlib
+import re
 
-from common import INPUT, MILL, SOURCE, changed, main, quern, test, write
+from common import INPUT, MILL, SOURCE, changed, main, quern, run, test, write
 
 # The document's table of run-time coefficients (its Fig 5.23), with more digits where it has few.
 # Its tangential stiffness has the time step of 1e-6 s folded in.
@@ -74,6 +76,87 @@ def numbers():
                  f"{found['pairs']['ball-ball']['normal_stiffness']:.8g}"):
         assert text in report, text
     assert sorted(p.name for p in pathlib.Path(".").iterdir()) == ["mill.yaml"], "files are written"
+
+
+def size_of(folder):
+    return sum(p.stat().st_size for p in pathlib.Path(folder).rglob("*") if p.is_file())
+
+
+@test("the forecast of disk use is what runs write, within 30 %")
+def disk():
+    drop = (SOURCE / "scenes" / "drop.yaml").read_text()
+    short = changed(MILL, ("end: 0.06 s", "end: 0.01 s"), ("duration: 50 ms", "duration: 5 ms"))
+    for name, text in (
+            ("mill", short),
+            ("frames", changed(short, ("frames: 5 ms", "frames: 0.2 ms"))),
+            ("drop", changed(drop, ("end: 0.2 s", "end: 0.1 s"))),
+            ("untraced", "\n".join(l for l in drop.splitlines() if "traces:" not in l)),
+            ("overlap", (SOURCE / "scenes" / "overlap.yaml").read_text())):
+        scene = write(f"{name}.yaml", text)
+        found, _ = checked(scene)
+        run(scene, name, threads=2).expect(0)
+        near(found["disk_bytes"], size_of(name), 0.3)
+
+
+@test("sizes come in a unit that fits, and a tiny run takes less than a second")
+def sizes():
+    scene = write("mill.yaml", MILL)
+    report = quern("check", scene).expect(0).out
+    for pattern in (r"memory +about \d+ MB", r"disk +about [\d.]+ MB in out/mill"):
+        assert re.search(pattern, report), report
+    few = changed(MILL, ("end: 0.06 s", "end: 10 steps"), ("frames: 5 ms", "frames: none"),
+                  ("  fields: {every: 10 steps, start: 100 steps, duration: 50 ms, cells: 1 2 4}\n", ""))
+    report = quern("check", write("few.yaml", few)).expect(0).out
+    for pattern in (r"disk +about \d+ kB in", r"wall time +less than a second"):
+        assert re.search(pattern, report), report
+
+
+@test("fields that are sampled after the end of the run, or beyond it, are a warning")
+def window():
+    scene = write("mill.yaml", MILL)
+    assert quern("check", scene).expect(0).err == ""
+    write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0.07 s")))
+    quern("check", scene).expect(0, "warning: measure.fields starts at 0.07 s, after the end of the run (0.06 s)")
+    write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0.02 s")))
+    quern("check", scene).expect(0, "warning: measure.fields lasts until 0.07 s, but the run ends at 0.06 s")
+    write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0 s"), ("50 ms", "1 rev")))
+    found, done = checked(scene)
+    turn = 2 * math.pi / found["speed_rad_s"]
+    assert f"measure.fields lasts until {turn:.4g} s" in done.err, done.err
+
+
+@test("a restitution whose dashpot is too stiff for the time step is a warning, with a step that is not")
+def dashpot():
+    scene = write("mill.yaml", changed(MILL, ("restitution: 0.7", "restitution: 0.01")))
+    found, done = checked(scene)
+    assert done.err.count("warning") == 1, done.err
+    for part in ("contacts.ball-ball.restitution = 0.01", "too stiff", "several percent"):
+        assert part in done.err, done.err
+    step = re.search(r"time.step: ([\d.]+) us", done.err)[1]
+    assert 0.2 < float(step) * 1e-6 / found["dt_s"] < 0.5
+    write("mill.yaml", changed(scene.read_text(), ("step: auto", f"step: {step} us")))
+    assert checked(scene)[1].err == ""
+    write("mill.yaml", changed(MILL, ("restitution: 0.7", "restitution: 0.002")))
+    assert "may explode" in checked(scene)[1].err
+    write("mill.yaml", changed(MILL, ("restitution: 0.7", "restitution: 0.1")))
+    assert checked(scene)[1].err == ""
+
+
+@test("the impact that a time step must resolve is head-on, and a turning mesh counts")
+def impact():
+    scene = write("mill.yaml", MILL)
+    found, _ = checked(scene)
+    shell = 0.03 * found["speed_rad_s"]
+    near(found["impact_speed_m_s"], (shell**2 + 2 * 9.81 * 0.06) ** 0.5 + shell, 1e-9)
+    write("blade.msh", "3 1\n0 0 0\n60 0 0\n0 5 5\n1 2 3\n")
+    write("mill.yaml", changed(MILL, ("ends: periodic", "ends: fixed")) + "walls: {blade: {shape: mesh, material: liner, file: blade.msh, turning: yes}}\n")
+    edge = 2 * shell
+    near(checked(scene)[0]["impact_speed_m_s"], (edge**2 + 2 * 9.81 * 0.12) ** 0.5 + edge, 1e-9)
+    two = (SOURCE / "scenes" / "two-spheres.yaml").read_text()
+    speed = checked(write("two.yaml", two))[0]["impact_speed_m_s"]
+    assert "fixed: yes" in two, "one is fixed"
+    both = checked(write("both.yaml", changed(two, (", fixed: yes", ""))))[0]["impact_speed_m_s"]
+    near(both, 2 * speed, 1e-9)
 
 
 @test("a scene with errors, a missing one and bad options have exit code 2")
