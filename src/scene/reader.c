@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/reader.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -134,6 +135,15 @@ static void read_meant(qn_reader *r, const qn_node *n, qn_value *v)
     qn_messages_free(&none);
 }
 
+/// 2,5 mm between braces: YAML takes what follows the comma for a key.
+static bool is_split(const qn_node *n)
+{
+    const qn_node *rest = n->next;
+    size_t length = strlen(n->text);
+    return length > 0 && isdigit((unsigned char)n->text[length - 1]) && rest
+           && rest->kind == QN_NODE_SCALAR && !*rest->text && isdigit((unsigned char)rest->key[0]);
+}
+
 /// Reads what is written; how many keys were misspelt.
 static int read_written(qn_reader *r, const qn_section *s, const qn_section_from *from,
                         qn_value *values)
@@ -151,6 +161,16 @@ static int read_written(qn_reader *r, const qn_section *s, const qn_section_from
             qn_complain_at(r, n->key_mark, "key '%s' appears twice in %s; it is first in line %d",
                            n->key, *from->path ? from->path : "the scene",
                            values[k].node->key_mark.line);
+            continue;
+        }
+        if (is_split(n)) {
+            qn_complain_at(
+                r, n->mark,
+                "%s%s%s = %.*s,%.*s has a comma: decimals follow a '.', and thousands are "
+                "not set apart",
+                from->path, *from->path ? "." : "", n->key, SHOWN, n->text, SHOWN, n->next->key);
+            values[k].node = n;
+            n = n->next;
             continue;
         }
         read_node(r, n, &values[k]);
@@ -189,7 +209,9 @@ void qn_section_read(qn_reader *r, qn_section_id id, qn_section_from from, void 
             v->path = path;
             v->mark = from.mark;
         } else if (!strcmp(v->key->fallback, REQUIRED)) {
-            if (!is_partial && !qn_messages_full(r->messages))
+            // What the fallback itself has wrong, or a material above lacks, is told already.
+            bool told = fallback && (fallback[i].node || id == QN_SECTION_MATERIAL);
+            if (!is_partial && !told && !qn_messages_full(r->messages))
                 qn_complain_at(r, from.mark, "%s lacks the key '%s': %s",
                                *path ? path : "the scene", v->key->name, v->key->meaning);
         } else if (*v->key->fallback)

@@ -7,29 +7,59 @@ import re
 from common import (INPUT, IO, MILL, changed, check_same_recordings, check_tidy, checkpoints, main,
                     quern, run, start, state_hash, summary, test, tree, wait, wait_until, write)
 
+LIFTERS = "  lifters: {count: 6, height: 4 mm, top: 4 mm, face_angle: 70 deg}\n"
 SHORT = changed(MILL, ("end: 0.06 s", "end: 60 steps"))
 
-# What is wrong, the change that makes it so, and what the message must hold.
+# What is wrong, the change that makes it so, and the message: place and what it must hold. Each is the
+# only error told.
 WRONG = [
-    ("an unknown key", "title:", "tilte:", ["mill.yaml:2:1:", "tilte", "title"]),
-    ("an unknown material", "ball-liner:", "ball-linear:", ["mill.yaml:10:3:", "linear", "liner"]),
-    ("a missing key", "poisson: 0.3, ", "", ["mill.yaml:6:", "poisson"]),
-    ("a missing unit", "length: 15 mm", "length: 15", ["mill.yaml:13:11:", "15", "mm"]),
-    ("a wrong unit", "length: 15 mm", "length: 15 kg", ["mill.yaml:13:11:", "kg", "mm"]),
-    ("a unit on a pure number", "seed: 7", "seed: 7 m", ["mill.yaml:3:7:", "7 m"]),
-    ("trailing junk", "density: 2500 kg/m3", "density: 25oo kg/m3", ["mill.yaml:6:", "25oo"]),
-    ("a negative diameter", "diameter: 2.5 mm", "diameter: -2.5 mm", ["mill.yaml:19:", "-2.5"]),
-    ("nan", "density: 2500 kg/m3", "density: nan kg/m3", ["mill.yaml:6:", "nan"]),
-    ("1e400", "density: 2500 kg/m3", "density: 1e400 kg/m3", ["mill.yaml:6:", "1e400"]),
-    ("a Poisson's ratio of 0.7", "poisson: 0.3", "poisson: 0.7", ["mill.yaml:6:35:", "0.7", "0.5"]),
-    ("a restitution of 0", "restitution: 0.7", "restitution: 0", ["mill.yaml:9:", "restitution"]),
-    ("a restitution of 1.2", "restitution: 0.7", "restitution: 1.2", ["mill.yaml:9:", "1.2"]),
-    ("a duplicate key", "seed: 7", "seed: 7\nseed: 8", ["mill.yaml:4:", "seed"]),
-    ("more particles than fit", "filling: 30 %", "count: 500000", ["500000", "fit"]),
-    ("a missing geometry file", "  speed:", "  profile: no.txt\n  speed:", ["no.txt"]),
-    ("no law for a pair", "  ball-liner: {friction: 0.5, restitution: 0.5}\n", "",
-     ["ball", "liner"]),
-    ("a step above the Rayleigh time", "step: auto", "step: 1 ms", ["Rayleigh"]),
+    ("an unknown key", "title:", "tilte:", "2:1", "unknown key 'tilte' in the scene; did you mean 'title'?"),
+    ("an unknown material in a pair", "ball-liner:", "ball-linear:", "10:3",
+     "'ball-linear' in contacts is not a pair of materials; did you mean 'ball-liner'?"),
+    ("an unknown material", "material: liner", "material: linear", "14:13",
+     "drum.material = linear is not a material; did you mean 'liner'?"),
+    ("a missing key", "poisson: 0.3, ", "", "6:3", "materials.ball lacks the key 'poisson'"),
+    ("a missing unit", "length: 15 mm", "length: 15", "13:11",
+     "drum.length = 15 needs a unit: m, mm, cm, um, in"),
+    ("a wrong unit", "length: 15 mm", "length: 15 kg", "13:11",
+     "drum.length = 15 kg should be a length (m, mm, cm, um, in), but kg is the unit of a mass"),
+    ("an unknown unit", "length: 15 mm", "length: 15 nm", "13:11",
+     "drum.length = 15 nm has no known unit: 'nm'; did you mean mm?"),
+    ("a unit on a pure number", "seed: 7", "seed: 7 m", "3:7",
+     "seed = 7 m is a pure number and takes no unit"),
+    ("trailing junk", "density: 2500 kg/m3", "density: 25oo kg/m3", "6:49",
+     "materials.ball.density = 25oo kg/m3 is not a number: 'o' is a letter, not the digit 0"),
+    ("a decimal comma", "diameter: 2.5 mm", "diameter: 2,5 mm", "19:37",
+     "particles.balls.diameter = 2,5 mm has a comma: decimals follow a '.'"),
+    ("a negative diameter", "diameter: 2.5 mm", "diameter: -2.5 mm", "19:37",
+     "particles.balls.diameter = -2.5 mm must be above 0 mm"),
+    ("nan", "density: 2500 kg/m3", "density: nan kg/m3", "6:49",
+     "materials.ball.density = nan kg/m3 is not a number"),
+    ("1e400", "density: 2500 kg/m3", "density: 1e400 kg/m3", "6:49",
+     "materials.ball.density = 1e400 kg/m3 is too large for a number"),
+    ("a Poisson's ratio of 0.7", "poisson: 0.3", "poisson: 0.7", "6:35",
+     "materials.ball.poisson = 0.7 must be above -1 and at most 0.5 (Poisson's ratio)"),
+    ("a restitution of 0", "restitution: 0.7", "restitution: 0", "9:44",
+     "contacts.ball-ball.restitution = 0 must be above 0 and at most 1"),
+    ("a restitution of 1.2", "restitution: 0.7", "restitution: 1.2", "9:44",
+     "contacts.ball-ball.restitution = 1.2 must be above 0 and at most 1"),
+    ("a filling of 30", "filling: 30 %", "filling: 30", "19:54", "; did you mean 30 %?"),
+    ("a duplicate key", "seed: 7", "seed: 7\nseed: 8", "4:1",
+     "key 'seed' appears twice in the scene; it is first in line 3"),
+    ("more particles than fit", "filling: 30 %", "count: 500000", "19:52",
+     "particles.balls.count: 500000 do not fit, at most 2630 do"),
+    ("a missing geometry file", LIFTERS, "  profile: no.txt\n", "17:12",
+     "drum.profile = no.txt cannot be used: no.txt: cannot be opened: No such file or directory"),
+    ("a missing mesh", "particles:", "walls: {a: {shape: mesh, material: liner, file: no.stl}}\nparticles:",
+     "18:49", "walls.a.file = no.stl cannot be used: no.stl: cannot be opened: No such file or directory"),
+    ("no law for a pair", "  ball-liner: {friction: 0.5, restitution: 0.5}\n", "", "8:1",
+     "contacts lacks 'ball-liner': particles 'balls' and the drum can touch"),
+    ("a step above the Rayleigh time", "step: auto", "step: 1 ms", "4:29",
+     "time.step = 0.001 s is 13.07 of the Rayleigh time (7.64911e-05 s); allowed is up to 1"),
+    ("a missing colon", "length: 15 mm", "length 15 mm", "13:3", "a ':' is missing"),
+    ("a missing space", "length: 15 mm", "length:15 mm", "13:9", "a space is missing behind the ':'"),
+    ("a wrong indentation", "  length: 15 mm", "   length: 15 mm", "13:4", "begins in column 4"),
+    ("a tab", "  length: 15 mm", "\tlength: 15 mm", "13:1", "a tab cannot be used to indent"),
 ]
 
 
@@ -42,12 +72,17 @@ def refuses(what, code, *parts, more=()):
     return done
 
 
-def declare(what, old, new, parts):
-    @test(f"{what} is told, with exit code 2 and nothing written")
+def declare(what, old, new, place, sentence):
+    @test(f"{what} is told with its place, with exit code 2 and nothing written")
     def _():
-        scene = write("mill.yaml", changed(SHORT, (old, new)))
-        done = refuses(scene, INPUT, *parts)
-        assert re.search(r"error: ", done.err) or "quern run: " in done.err, done.err
+        text = changed(SHORT, (old, new))
+        done = refuses(write("mill.yaml", text), INPUT, f"mill.yaml:{place}: error: ", sentence)
+        assert done.err.count(": error: ") == 1, done.err
+        first, shown, caret, last, *rest = done.err.split("\n")
+        assert first.startswith(f"mill.yaml:{place}: error: ") and sentence in first, done.err
+        line, column = map(int, place.split(":"))
+        assert shown == text.splitlines()[line - 1] and caret.expandtabs(1).index("^") == column - 1
+        assert last == "quern run: nothing was started or written" and rest == [""], done.err
 
 
 for case in WRONG:
@@ -80,14 +115,14 @@ def all_errors():
 @test("files that are no scenes are told")
 def no_scenes():
     pathlib.Path("folder").mkdir()
-    refuses("folder", INPUT, "folder")
-    refuses(write("empty.yaml", ""), INPUT, "empty.yaml")
-    refuses(write("binary.yaml", bytes(range(256)) * 64), INPUT, "binary.yaml")
+    refuses("folder", INPUT, "folder: error: is a folder, not a scene")
+    refuses(write("empty.yaml", ""), INPUT, "empty.yaml: error: the file is empty")
+    refuses(write("binary.yaml", bytes(range(256)) * 64), INPUT,
+            "binary.yaml: error: not a text file: byte 1 is 0x00")
     with open("huge.yaml", "wb") as file:
         file.truncate(100_000_000)
-    refuses("huge.yaml", INPUT, "huge.yaml")
-    done = quern("run", "missing.yaml", "-o", "out/run")
-    assert done.code in (INPUT, IO) and "missing.yaml" in done.err, done.err
+    refuses("huge.yaml", INPUT, "huge.yaml: error: is larger than 1 MB, which no scene needs")
+    refuses("missing.yaml", INPUT, "missing.yaml: error: No such file or directory")
     assert not pathlib.Path("out").exists()
 
 
@@ -122,7 +157,7 @@ def existing_run():
     scene = write("mill.yaml", SHORT)
     run(scene, "out").expect(0)
     before = tree("out")
-    run(scene, "out").expect(INPUT, "out", "--resume", "--force")
+    run(scene, "out").expect(INPUT, "the folder out holds a run already", "(--resume)", "(--force)", "(-o)")
     assert tree("out") == before
     other = write("other.yaml", changed(SHORT, ("seed: 7", "seed: 8")))
     run(other, "out", "--resume").expect(INPUT, "other.yaml:3:7:", "seed = 8", "--force")
