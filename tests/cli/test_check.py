@@ -85,7 +85,7 @@ def size_of(folder):
 @test("the forecast of disk use is what runs write, within 30 %")
 def disk():
     drop = (SOURCE / "scenes" / "drop.yaml").read_text()
-    short = changed(MILL, ("end: 0.06 s", "end: 0.01 s"), ("duration: 50 ms", "duration: 5 ms"))
+    short = changed(MILL, ("end: 0.06 s", "end: 0.02 s"), ("duration: 50 ms", "duration: 15 ms"))
     for name, text in (
             ("mill", short),
             ("frames", changed(short, ("frames: 5 ms", "frames: 0.2 ms"))),
@@ -116,7 +116,8 @@ def window():
     scene = write("mill.yaml", MILL)
     assert quern("check", scene).expect(0).err == ""
     write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0.07 s")))
-    quern("check", scene).expect(0, "warning: measure.fields starts at 0.07 s, after the end of the run (0.06 s)")
+    quern("check", scene).expect(
+        0, "warning: measure.fields starts at 0.07 s, after the end of the run (0.06 s)")
     write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0.02 s")))
     quern("check", scene).expect(0, "warning: measure.fields lasts until 0.07 s, but the run ends at 0.06 s")
     write("mill.yaml", changed(MILL, ("start: 100 steps", "start: 0 s"), ("50 ms", "1 rev")))
@@ -149,7 +150,8 @@ def impact():
     shell = 0.03 * found["speed_rad_s"]
     near(found["impact_speed_m_s"], (shell**2 + 2 * 9.81 * 0.06) ** 0.5 + shell, 1e-9)
     write("blade.msh", "3 1\n0 0 0\n60 0 0\n0 5 5\n1 2 3\n")
-    write("mill.yaml", changed(MILL, ("ends: periodic", "ends: fixed")) + "walls: {blade: {shape: mesh, material: liner, file: blade.msh, turning: yes}}\n")
+    blade = "walls: {blade: {shape: mesh, material: liner, file: blade.msh, turning: yes}}\n"
+    write("mill.yaml", changed(MILL, ("ends: periodic", "ends: fixed")) + blade)
     edge = 2 * shell
     near(checked(scene)[0]["impact_speed_m_s"], (edge**2 + 2 * 9.81 * 0.12) ** 0.5 + edge, 1e-9)
     two = (SOURCE / "scenes" / "two-spheres.yaml").read_text()
