@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { FEWEST_PASSAGES = 2 };  // of lifters in a mean over time
+
 static double final_speed(const qn_world *w)
 {
     const qn_drum_def *drum = &w->walls.drum;
@@ -68,6 +70,15 @@ static qn_status create_fields(const qn_world *w, qn_measure *m)
     return qn_ring_create(w, &m->ring);
 }
 
+static int64_t least_samples(const qn_world *w, const qn_measure *m)
+{
+    double turn = qn_min(FEWEST_PASSAGES * m->passages.angle, 2 * QN_PI);
+    double rate = fabs(final_speed(w)) * w->dt * (double)m->fields_stride;  // rad per sample
+    int64_t moving = rate > 0 ? (int64_t)qn_min(turn / rate, 1e9) : 0;
+    int64_t counted = qn_ring_least_samples(&m->ring, w);
+    return moving > counted ? moving : counted;
+}
+
 static qn_status create(const qn_world *w, qn_measure *m)
 {
     m->def = w->def.measure;
@@ -82,6 +93,7 @@ static qn_status create(const qn_world *w, qn_measure *m)
     int64_t first = has_fields ? m->fields_first : INT64_MAX;
     if (!has_fields && final_speed(w) != 0) first = qn_passages_settled(w);
     QN_TRY(qn_passages_create(w, first, m->fields_last, &m->passages));
+    if (m->fields_stride > 0) m->fields_least = least_samples(w, m);
     return qn_series_create(w, &m->series);
 }
 
@@ -155,14 +167,31 @@ double qn_measure_value(const qn_measure *m, const double *row, const char *name
     return NAN;
 }
 
-qn_status qn_measure_bulk_solidity(const qn_measure *m, double *bulk)
+bool qn_measure_lacks_samples(const qn_measure *m)
 {
-    *bulk = NAN;
+    return m->field_count > 0 && m->ring.samples < m->fields_least;
+}
+
+void qn_measure_lack(const qn_measure *m, char *sentence, size_t room)
+{
+    *sentence = 0;
+    if (!qn_measure_lacks_samples(m)) return;
+    snprintf(sentence, room,
+             "the fields have %lld of the %lld samples that bulk solidity, shoulder and toe need",
+             (long long)m->ring.samples, (long long)m->fields_least);
+}
+
+qn_status qn_measure_charge(const qn_measure *m, qn_charge *charge)
+{
+    *charge = (qn_charge){NAN, NAN, NAN};
     const qn_field *nearest = NULL;
     for (int g = 0; g < m->field_count; g++)
         if (!nearest || fabs(m->fields[g].cell - 2) < fabs(nearest->cell - 2))
             nearest = &m->fields[g];
-    return nearest ? qn_field_bulk_solidity(nearest, bulk) : QN_OK;
+    if (!nearest || qn_measure_lacks_samples(m)) return QN_OK;
+    QN_TRY(qn_field_bulk_solidity(nearest, &charge->bulk));
+    qn_ring_edges(&m->ring, charge->bulk, &charge->shoulder, &charge->toe);
+    return QN_OK;
 }
 
 static void append(qn_column *all, int *count, const qn_column *some, int n, int room)

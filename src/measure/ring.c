@@ -8,6 +8,7 @@
 enum { SMOOTH = 2 };  // bins averaged on each side when looking for an edge
 
 static const double DEGREE = QN_PI / 180;  // rad
+static const double HALF_BED = 0.3;        // 1   half the solidity of a bed
 
 static int sense_of(const qn_drum_def *drum)
 {
@@ -118,6 +119,13 @@ void qn_ring_edges(const qn_ring *ring, double bulk, double *shoulder, double *t
     int from = middle(ring);
     *shoulder = edge(ring, from, 1, 0.5 * bulk);
     *toe = edge(ring, from, -1, 0.5 * bulk);
+}
+
+int64_t qn_ring_least_samples(const qn_ring *ring, const qn_world *w)
+{
+    double solid = HALF_BED * (2 * SMOOTH + 1) * ring->open_volume;
+    double balls = solid / qn_ball_volume(w->largest_radius);  // at an edge, in one sample
+    return (int64_t)ceil(qn_min(QN_RING_VISITS / balls, 1e9));
 }
 
 int qn_ring_columns(qn_ring *ring, qn_column *columns, int room)

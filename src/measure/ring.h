@@ -10,7 +10,10 @@
 #include "base/column.h"
 #include "world/world.h"
 
-enum { QN_RING_BINS = 360 };
+enum {
+    QN_RING_BINS = 360,
+    QN_RING_VISITS = 400,  // balls counted make a solidity that scatters by 1/sqrt(400) = 5 %
+};
 
 typedef struct qn_ring {
     double inner_radius;  // m      of the ring; the outer one is the shell's
@@ -37,6 +40,10 @@ double qn_ring_solidity(const qn_ring *ring, int bin);
 /// angle of its mass centre forwards (shoulder) and backwards (toe); degrees, linear between bins.
 /// NaN where it never does or never was above.
 void qn_ring_edges(const qn_ring *ring, double bulk, double *shoulder, double *toe);
+
+/// Samples after which the edges scatter little by chance: until QN_RING_VISITS of the largest balls
+/// have been counted in the five bins of an edge.
+int64_t qn_ring_least_samples(const qn_ring *ring, const qn_world *world);
 
 /// What must survive a checkpoint; as qn_measure_columns().
 int qn_ring_columns(qn_ring *ring, qn_column *columns, int room);

@@ -120,6 +120,7 @@ qn_status qn_fields_write(const char *path, const qn_measure *measure, const qn_
     if (!begun) return QN_OK;
     QN_TRY(qn_h5_begin(&file));
     qn_status status = qn_h5_put_text(file, "format", QN_RECORDING_FORMAT);
+    if (status == QN_OK) status = qn_h5_put_integer(file, "samples_least", measure->fields_least);
     for (int i = 0; i < measure->field_count && status == QN_OK; i++)
         status = put_field(file, i, &measure->fields[i], world);
     if (status == QN_OK && measure->ring.samples > 0) status = put_ring(file, &measure->ring);

@@ -212,6 +212,9 @@ qn_status qn_recorder_finish(qn_recorder *rec, qn_world *world, qn_measure *meas
     QN_TRY(write_pictures(rec, world, measure));
     QN_TRY(sync_files(rec));
     QN_TRY(write_results(rec, world, measure, finished));
+    char lack[160];
+    qn_measure_lack(measure, lack, sizeof lack);
+    if (*lack) qn_recorder_log(rec, "%s", lack);
     qn_recorder_log(rec, "%s at step %" PRId64 ", %.3g s of wall time, state_hash %016" PRIx64,
                     finished ? "finished" : "stopped", world->step, rec->progress.wall,
                     rec->progress.state_hash);

@@ -61,17 +61,22 @@ static double value_of(const qn_measure *m, const double *row, const char *name)
 
 static qn_status put_charge(qn_json *j, const qn_world *w, const qn_measure *m, const double *row)
 {
-    double bulk, shoulder, toe;
-    QN_TRY(qn_measure_bulk_solidity(m, &bulk));
-    qn_ring_edges(&m->ring, bulk, &shoulder, &toe);
+    qn_charge charge;
+    char lack[160];
+    QN_TRY(qn_measure_charge(m, &charge));
+    qn_measure_lack(m, lack, sizeof lack);
     double deepest_time = (double)w->ledger.deepest_step * w->dt;
     qn_json_number(j, "energy_residual_relative", value_of(m, row, "residual_relative"));
     qn_json_number(j, "max_overlap_over_radius", w->ledger.deepest);
     qn_json_number(j, "max_overlap_time_s", deepest_time);
     qn_json_number(j, "contacts_per_particle", value_of(m, row, "contacts_per_particle"));
-    qn_json_number(j, "solidity_bulk", bulk);
-    qn_json_number(j, "shoulder_deg", shoulder);
-    qn_json_number(j, "toe_deg", toe);
+    qn_json_number(j, "solidity_bulk", charge.bulk);
+    qn_json_number(j, "shoulder_deg", charge.shoulder);
+    qn_json_number(j, "toe_deg", charge.toe);
+    if (*lack)
+        qn_json_text(j, "charge_note", lack);
+    else
+        qn_json_null(j, "charge_note");
     return QN_OK;
 }
 

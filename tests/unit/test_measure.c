@@ -1,165 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fields, ring and series: known data in, known numbers out, whatever the order.
+// What is observed as a whole: energies, rows, windows, enough samples; the same bits whatever the
+// order, and after a stop.
 #include "check.h"
 #include "fake_mill.h"
 #include "measure/measure.h"
-
-static const double RADIUS = 0.0005;  // m
-
-/// A cubic lattice of touching balls that fills the drum.
-static void fill_lattice(qn_world *w)
-{
-    for (int i = -50; i < 50; i++)
-        for (int j = -50; j < 50; j++)
-            for (int k = 0; k < 20; k++) {
-                double x = (i + 0.5) * 1e-3, y = (j + 0.5) * 1e-3;
-                if (hypot(x, y) < 0.05 - RADIUS)
-                    fake_add(w, x, y, (k + 0.5) * 1e-3, qn_v3(0.5, 0, 0));
-            }
-}
-
-/// Area (m2) of a voxel within `radius` of the axis.
-static double area_within(const qn_field *f, int64_t voxel, double radius)
-{
-    double x0 = f->x0 + (double)(voxel % f->nx) * f->side, step = f->side / 200;
-    double y0 = f->y0 + (double)(voxel / f->nx % f->ny) * f->side;
-    int inside = 0;
-    for (int k = 0; k < 40000; k++)
-        inside += hypot(x0 + (k % 200 + 0.5) * step, y0 + (k / 200 + 0.5) * step) < radius;
-    return inside * step * step;
-}
-
-static void a_uniform_lattice_has_its_solidity_inside_and_at_the_rim(void)
-{
-    qn_world *w = fake_mill(0, 1, RADIUS, 0.01);
-    fill_lattice(w);
-    qn_field f;
-    CHECK_STATUS(qn_field_create(w, 1, 1, &f));
-    CHECK(f.nx == 10 && f.ny == 10 && f.nz == 1);
-    for (int n = 0; n < 3; n++) CHECK_STATUS(qn_field_sample(&f, w));
-    int rim = 0;
-    for (int64_t v = 0; v < qn_field_voxel_count(&f); v++) {
-        qn_voxel m = qn_field_voxel(&f, v);
-        double open = f.open_volume[v] / (f.side * f.side * f.layer);
-        if (open > 1 - 1e-12) {
-            CHECK_NEAR(m.solidity, QN_PI / 6, 1e-3);
-            CHECK_NEAR(m.solidity_raw, QN_PI / 6, 1e-9);
-        } else if (open > 0.2) {
-            rim++;
-            // No centre lies within a radius of the shell.
-            double filled = area_within(&f, v, 0.05 - RADIUS) / area_within(&f, v, 0.05);
-            CHECK_NEAR(m.solidity, QN_PI / 6 * filled, 0.04);
-            CHECK(m.solidity_raw < 0.54 * open);
-        }
-    }
-    CHECK(rim > 20);
-    CHECK(f.open_volume[0] == 0 && isnan(qn_field_voxel(&f, 0).solidity));
-    double bulk;
-    CHECK_STATUS(qn_field_bulk_solidity(&f, &bulk));
-    CHECK_NEAR(bulk, QN_PI / 6, 1e-3);
-    qn_field_free(&f), fake_free(w);
-}
-
-static void a_ball_on_a_face_is_shared_half_and_half(void)
-{
-    qn_world *w = fake_mill(0, 1, 0.002, 0.002);
-    fake_add(w, 0, 0.003, 0.0125, qn_v3(0, 0, 0));
-    qn_field f;
-    CHECK_STATUS(qn_field_create(w, 5, 2, &f));
-    CHECK_STATUS(qn_field_sample(&f, w));
-    int64_t left = ((int64_t)f.ny + f.ny / 2) * f.nx + f.nx / 2 - 1;
-    const int64_t *solid = f.sum[QN_FIELD_solid_volume];
-    CHECK(solid[left] == solid[left + 1] && solid[left] > 0);
-    CHECK(f.sum[QN_FIELD_count][left + 1] == 1 && f.sum[QN_FIELD_count][left] == 0);
-    qn_field_free(&f), fake_free(w);
-}
-
-static void the_solid_volume_adds_up_exactly(void)
-{
-    qn_world *w = fake_mill(16, 1, 0.001, 0.001);
-    fake_fill(w, 5000);
-    qn_field f;
-    CHECK_STATUS(qn_field_create(w, 2, 3, &f));
-    CHECK_STATUS(qn_field_sample(&f, w));
-    CHECK_STATUS(qn_field_sample(&f, w));
-    int64_t solid = 0, centres = 0;
-    double open = 0;
-    for (int64_t v = 0; v < qn_field_voxel_count(&f); v++) {
-        solid += f.sum[QN_FIELD_solid_volume][v];
-        centres += f.sum[QN_FIELD_count][v];
-        open += f.open_volume[v];
-    }
-    double volume = 2 * 5000 * 4.0 / 3 * QN_PI * 1e-9;
-    CHECK(centres == 10000);
-    CHECK_NEAR((double)solid * f.volume_unit, volume, 1e-13 * volume);
-    CHECK_NEAR(open, qn_walls_volume(&w->walls), 2e-3 * open);
-    qn_field_free(&f), fake_free(w);
-}
-
-static void mean_velocity_and_temperature_are_those_of_the_data(void)
-{
-    qn_world *w = fake_mill(0, 1, 0.001, 0.01);
-    fake_add(w, 0.001, 0.001, 0.01, qn_v3(1.5, -2, 0.25));
-    fake_add(w, 0.004, 0.004, 0.01, qn_v3(0.5, -2, -0.25));
-    qn_field f;
-    CHECK_STATUS(qn_field_create(w, 1, 1, &f));
-    CHECK_STATUS(qn_field_sample(&f, w));
-    qn_voxel m = qn_field_voxel(&f, 5 * f.nx + 5);
-    CHECK_NEAR(m.velocity_x, 1, 1e-9);
-    CHECK_NEAR(m.velocity_y, -2, 1e-9);
-    CHECK_NEAR(m.velocity_z, 0, 1e-9);
-    CHECK_NEAR(m.speed, 0.5 * (sqrt(6.3125) + sqrt(4.3125)), 1e-9);
-    CHECK_NEAR(m.granular_temperature, (0.25 + 0.0625) / 3, 1e-9);
-    CHECK(isnan(qn_field_voxel(&f, 5 * f.nx + 6).speed));
-    qn_field_free(&f), fake_free(w);
-}
-
-static void a_particle_too_fast_for_the_sums_is_refused(void)
-{
-    qn_world *w = fake_mill(0, 1, 0.001, 0.001);
-    fake_add(w, 0, 0, 0.01, qn_v3(1e6, 0, 0));
-    qn_field f;
-    CHECK_STATUS(qn_field_create(w, 1, 1, &f));
-    CHECK(qn_field_sample(&f, w) == QN_UNSTABLE);
-    w->motion[0].velocity.x = NAN;
-    CHECK(qn_field_sample(&f, w) == QN_UNSTABLE && f.samples == 0);
-    qn_field_free(&f), fake_free(w);
-}
-
-/// Balls on a fine polar grid from `toe` to `shoulder` degrees from straight down, seen with the
-/// sense of rotation.
-static void edges_of(double toe, double shoulder, double speed, double *found_toe,
-                     double *found_shoulder)
-{
-    qn_world *w = fake_mill(0, speed, RADIUS, RADIUS);
-    for (double rho = 0.0485; rho < 0.05; rho += 0.0003)
-        for (double angle = toe; angle < shoulder; angle += 0.1) {
-            double a = -QN_PI / 2 + (speed < 0 ? -1 : 1) * angle * QN_PI / 180;
-            fake_add(w, rho * cos(a), rho * sin(a), 0.01, qn_v3(0, 0, 0));
-        }
-    qn_ring ring;
-    if (qn_ring_create(w, &ring) != QN_OK) abort();
-    for (int n = 0; n < 5; n++) qn_ring_sample(&ring, w);
-    double bulk = qn_ring_solidity(&ring, (int)(0.5 * (toe + shoulder)) + 180);
-    qn_ring_edges(&ring, bulk, found_shoulder, found_toe);
-    qn_ring_free(&ring), fake_free(w);
-}
-
-static void shoulder_and_toe_are_where_the_charge_ends(void)
-{
-    double toe, shoulder;
-    edges_of(-30.25, 77.25, 3, &toe, &shoulder);
-    CHECK_NEAR(toe, -30.25, 0.6);
-    CHECK_NEAR(shoulder, 77.25, 0.6);
-    edges_of(-30.25, 77.25, -3, &toe, &shoulder);
-    CHECK_NEAR(toe, -30.25, 0.6);
-    CHECK_NEAR(shoulder, 77.25, 0.6);
-    edges_of(-100, 200, 3, &toe, &shoulder);
-    CHECK_NEAR(toe, -100, 0.6);
-    CHECK_NEAR(shoulder, 200 - 360, 0.6);
-    edges_of(-180, 180, 3, &toe, &shoulder);
-    CHECK(isnan(toe) && isnan(shoulder));
-}
 
 static void energies_are_the_plain_sums(void)
 {
@@ -322,6 +166,68 @@ static void windows_and_strides_come_from_spans(void)
     qn_measure_free(&m), fake_free(w);
 }
 
+static int64_t least_samples(double speed, double every)
+{
+    qn_world *w = observed_mill();
+    w->walls.drum.legs[0] = (qn_leg){INFINITY, speed, speed};
+    w->def.measure.fields_every.value = every;
+    qn_measure m;
+    if (qn_measure_create(w, &m) != QN_OK) abort();
+    int64_t least = m.fields_least;
+    qn_measure_free(&m), fake_free(w);
+    return least;
+}
+
+static void a_mean_takes_two_passages_and_enough_balls(void)
+{
+    // Two sixteenths of a revolution at 2 rad/s take 392.7 steps of 1 ms.
+    CHECK(least_samples(2, 1) == 392 && least_samples(-2, 1) == 392 && least_samples(2, 4) == 98);
+    // Five degrees of a ring 8 mm deep and 20 mm long, a third full, hold about 45 balls of 1 mm.
+    int64_t counted = least_samples(0, 1);
+    CHECK(counted >= 8 && counted <= 11);
+    CHECK(least_samples(2, 1000) == counted && least_samples(1000, 1) == counted);
+}
+
+/// A cubic lattice of touching balls that fills the lower half.
+static void fill_half(qn_world *w)
+{
+    for (int i = -25; i < 25; i++)
+        for (int j = -25; j < 0; j++)
+            for (int k = 0; k < 10; k++) {
+                double x = (i + 0.5) * 2e-3, y = (j + 0.5) * 2e-3;
+                if (hypot(x, y) < 0.049) fake_add(w, x, y, (k + 0.5) * 2e-3, qn_v3(0, 0, 0));
+            }
+}
+
+static void the_charge_is_told_from_enough_samples_on(void)
+{
+    qn_world *w = fake_mill(16, 2, 0.001, 0.001);
+    fill_half(w);
+    w->def.measure = (qn_measure_def){.fields_every = {20, QN_STEPS},
+                                      .fields_duration = {1, QN_REVOLUTIONS},
+                                      .grid_count = 1,
+                                      .grid_cell = {2},
+                                      .grid_layers = {1}};
+    qn_measure m;
+    qn_charge charge;
+    char lack[160];
+    CHECK_STATUS(qn_measure_create(w, &m));
+    CHECK(m.fields_least == 19);
+    CHECK_STATUS(observe(&m, w, 18 * 20));
+    CHECK_STATUS(qn_measure_charge(&m, &charge));
+    CHECK(isnan(charge.bulk) && isnan(charge.shoulder) && isnan(charge.toe));
+    qn_measure_lack(&m, lack, sizeof lack);
+    CHECK(strstr(lack, "18 of the 19 samples"));
+    CHECK_STATUS(observe(&m, w, 19 * 20));
+    CHECK_STATUS(qn_measure_charge(&m, &charge));
+    CHECK_NEAR(charge.bulk, QN_PI / 6, 0.02);
+    CHECK_NEAR(charge.shoulder, 90, 3);
+    CHECK_NEAR(charge.toe, -90, 3);
+    qn_measure_lack(&m, lack, sizeof lack);
+    CHECK(!*lack);
+    qn_measure_free(&m), fake_free(w);
+}
+
 static void a_world_without_a_drum_is_observed_too(void)
 {
     qn_world *w = observed_mill();
@@ -332,27 +238,25 @@ static void a_world_without_a_drum_is_observed_too(void)
     CHECK_STATUS(qn_measure_create(w, &m));
     CHECK_STATUS(observe(&m, w, 7));
     CHECK_NEAR(qn_measure_value(&m, m.series.row, "step"), 6, 0);
-    double bulk, shoulder, toe;
-    CHECK_STATUS(qn_measure_bulk_solidity(&m, &bulk));
-    qn_ring_edges(&m.ring, bulk, &shoulder, &toe);
-    CHECK(m.field_count == 0 && isnan(bulk) && isnan(shoulder) && isnan(toe));
+    qn_charge charge;
+    char lack[160];
+    CHECK_STATUS(qn_measure_charge(&m, &charge));
+    CHECK(m.field_count == 0 && isnan(charge.bulk) && isnan(charge.shoulder) && isnan(charge.toe));
+    qn_measure_lack(&m, lack, sizeof lack);
+    CHECK(!*lack);
     CHECK(isnan(qn_passages_power(&m.passages).torque));
     qn_measure_free(&m), fake_free(w);
 }
 
 int main(int argc, char **argv)
 {
-    TEST(a_uniform_lattice_has_its_solidity_inside_and_at_the_rim);
-    TEST(a_ball_on_a_face_is_shared_half_and_half);
-    TEST(the_solid_volume_adds_up_exactly);
-    TEST(mean_velocity_and_temperature_are_those_of_the_data);
-    TEST(a_particle_too_fast_for_the_sums_is_refused);
-    TEST(shoulder_and_toe_are_where_the_charge_ends);
     TEST(energies_are_the_plain_sums);
     TEST(order_and_threads_change_no_bit);
     TEST(columns_hold_everything_a_resumed_run_needs);
     TEST(rows_tell_the_ledger_up_to_the_step_itself);
     TEST(windows_and_strides_come_from_spans);
+    TEST(a_mean_takes_two_passages_and_enough_balls);
+    TEST(the_charge_is_told_from_enough_samples_on);
     TEST(a_world_without_a_drum_is_observed_too);
     DONE;
 }
