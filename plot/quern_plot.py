@@ -33,8 +33,9 @@ def main():
     sys.dont_write_bytecode = True  # the program may be installed where nothing may be written
     try:
         from figures import figure_list
-        from figures.folder import NotRecorded, NotRun, Run
+        from figures.folder import NotRun, Run
         from figures.style import Gallery
+        from figures.table import NotRecorded
     except ImportError as error:
         print(f"quern plot: {error}; on Debian: apt install {PACKAGES}", file=sys.stderr)
         return 3
@@ -50,7 +51,7 @@ def main():
         try:
             draw(run, gallery)
         except NotRecorded as reason:
-            skipped.append(f"{name}: {reason}")
+            skipped.append((name, str(reason)))
         except (OSError, KeyError, ValueError, IndexError) as error:
             broken.append(f"{name}: {type(error).__name__}: {error}")
     if not args.quiet:
@@ -63,9 +64,9 @@ def main():
 def report(written, skipped):
     for path in written:
         print(f"  {path}")
-    if skipped:
-        names = ", ".join(line.split(":")[0] for line in skipped)
-        print(f"  not drawn, as this run did not record them: {names}")
+    for reason in dict.fromkeys(why for _, why in skipped):
+        names = ", ".join(name for name, why in skipped if why == reason)
+        print(f"  not drawn: {names} ({reason})")
     if not written:
         print("  nothing to draw yet")
 

@@ -4,7 +4,7 @@
 
 def figure_list():
     """Pairs of a name and a function draw(run, gallery) that raises NotRecorded if it can't."""
-    from figures import energy, maps, particles, power, quivers, ring, traces
+    from figures import energy, maps, particles, paths, power, quivers, ring, traces
     return (
         ("porosity maps", maps.porosity),
         ("velocity quivers", quivers.velocity),
@@ -13,6 +13,7 @@ def figure_list():
         ("power", power.power),
         ("energy", energy.energy),
         ("charge around the shell", ring.ring),
+        ("paths", paths.paths),
         ("traces", traces.motion),
         ("contact forces", traces.contacts),
     )

@@ -3,18 +3,18 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.folder import NotRecorded
 from figures.ledger import LOST, STORED, Ledger
 from figures.style import BLACK, LINES, PAGE
+from figures.table import NotRecorded
 
 
 def energy(run, gallery):
     ledger = Ledger(run.series)
-    stored, lost = ledger.channels(STORED), ledger.channels(LOST)
-    if not stored and not lost:
-        raise NotRecorded("series.csv holds no energy")
+    stored, lost = moving(ledger.channels(STORED)), moving(ledger.channels(LOST))
     if len(ledger.time) < 2:
         raise NotRecorded("series.csv holds a single row")
+    if not stored and not lost:
+        raise NotRecorded("series.csv holds no energy that ever changes")
     figure, (top, middle, bottom) = plt.subplots(
         3, 1, figsize=(0.75 * PAGE, 0.95 * PAGE), sharex=True, constrained_layout=True,
         gridspec_kw={"height_ratios": (3, 3, 1.6)})
@@ -28,6 +28,11 @@ def energy(run, gallery):
             axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     figure.align_ylabels()
     gallery.save(figure, "energy")
+
+
+def moving(channels):
+    """Without those that stay what they are throughout."""
+    return [channel for channel in channels if np.any(channel[2] != channel[2][0])]
 
 
 def draw_stored(axes, ledger, channels):
@@ -50,7 +55,7 @@ def draw_lost(axes, ledger, channels):
                   label="all losses")
     for (_, label, values), colour in zip(channels, LINES):
         axes.plot(ledger.time, factor * values, color=colour, lw=0.8, label=label)
-    axes.set_ylabel(f"since the start ({unit})")
+    axes.set_ylabel(f"done and lost ({unit})")
 
 
 def draw_residual(axes, ledger):

@@ -3,7 +3,6 @@
 
 Whatever is missing raises NotRecorded with the reason; nothing is made up for it.
 """
-import csv
 import functools
 import glob
 import json
@@ -13,18 +12,13 @@ import h5py
 import numpy as np
 
 from figures.grid import Grid
-from figures.section import slice_cells
-
-
-QUAD = 9  # VTK's number for a quadrangle
+from figures.liner import Liner
+from figures.scenery import read_scene
+from figures.table import NotRecorded, read_table
 
 
 class NotRun(Exception):
     """The folder is not a run folder."""
-
-
-class NotRecorded(Exception):
-    """What a figure needs was not recorded."""
 
 
 class Run:
@@ -56,10 +50,10 @@ class Run:
 
     @functools.cached_property
     def grids(self):
-        """The voxel grids, finest first."""
+        """The voxel grids that hold a sample, finest first."""
         path = self.path("fields.h5")
         if not os.path.exists(path):
-            raise NotRecorded("no fields.h5: sampling of the fields had not begun")
+            raise NotRecorded("no fields.h5: no sample of the fields was taken")
         try:
             with h5py.File(path, "r") as file:
                 grids = [Grid(file[name]) for name in sorted(file) if name.startswith("grid")]
@@ -70,17 +64,32 @@ class Run:
             raise NotRecorded("fields.h5 holds no grid with a sample in it")
         return sorted(grids, key=lambda grid: grid.cell)
 
+    def need_means(self):
+        """Raises NotRecorded if the samples are too few for a mean over time."""
+        samples = self.grids[0].samples
+        with h5py.File(self.path("fields.h5"), "r") as file:
+            least = int(attribute(file, "samples_least", default=1))
+        if samples < least:
+            raise NotRecorded(f"fields.h5 holds {samples} of the {least} samples that a mean needs")
+
+    @property
+    def means(self):
+        """The grids, once they hold means over time."""
+        self.need_means()
+        return self.grids
+
     @functools.cached_property
     def ring(self):
-        """Angle (deg from straight down) and solidity of the ring along the shell."""
+        """Angle (deg from straight down) and solidity of the ring along the shell, and the radius
+        (m) from which on balls are counted."""
+        self.need_means()
         try:
             with h5py.File(self.path("fields.h5"), "r") as file:
                 group = file["ring"]
-                angle = next(group[name][:] for name in group if name.startswith("angle"))
-                solidity = next(group[name][:] for name in group if name.startswith("solidity"))
-        except (OSError, KeyError, StopIteration):
+                return (np.ravel(group["angle_deg"][:]), np.ravel(group["solidity"][:]),
+                        attribute(group, "inner_radius_m"))
+        except (OSError, KeyError):
             raise NotRecorded("fields.h5 holds no ring") from None
-        return np.ravel(angle), np.ravel(solidity)
 
     def _last(self, kind):
         names = sorted(glob.glob(self.path("frames", f"{kind}_*.hdf")))
@@ -89,7 +98,7 @@ class Run:
                 return h5py.File(name, "r")
             except OSError:
                 continue  # being written, or cut off with the machine
-        raise NotRecorded(f"no frames/{kind}_*.hdf")
+        raise NotRecorded(f"no whole frames/{kind}_*.hdf" if names else f"no frames/{kind}_*.hdf")
 
     @functools.cached_property
     def frame(self):
@@ -107,23 +116,32 @@ class Run:
     @functools.cached_property
     def section(self):
         """z (m) of the cross-section that is drawn: the middle of the drum or of the particles."""
+        z = (self.liner.points if self.liner else self.frame["position"])[:, 2]
+        return float((np.min(z) + np.max(z)) / 2)
+
+    @functools.cached_property
+    def scene(self):
+        """Planes, fixed balls and the radius of the balls, as resolved.yaml has them."""
+        return read_scene(self.path("resolved.yaml"))
+
+    @functools.cached_property
+    def liner(self):
+        """The liner of the last frame, or None."""
         try:
             with self._last("liner") as file:
-                z = file["VTKHDF/Points"][:, 2]
-        except NotRecorded:
-            z = self.frame["position"][:, 2]
-        return float((np.min(z) + np.max(z)) / 2)
+                return Liner(file["VTKHDF"])
+        except (NotRecorded, KeyError):
+            return None
 
     @functools.cached_property
     def outline(self):
         """Segments [n, 2, 2] (m) where the section cuts the last liner, or None."""
-        try:
-            with self._last("liner") as file:
-                root = file["VTKHDF"]
-                return slice_cells(root["Points"][:].astype(float), root["Connectivity"][:],
-                                   root["Offsets"][:], self.section)
-        except (NotRecorded, KeyError):
-            return None
+        return self.liner.outline(self.section) if self.liner else None
+
+    @functools.cached_property
+    def lifter_tips(self):
+        """Radius (m) of the circle that the lifters' tips run on, or None."""
+        return self.liner.tips() if self.liner else None
 
     @functools.cached_property
     def drum_radius(self):
@@ -134,14 +152,7 @@ class Run:
                 return radius
         except NotRecorded:
             pass
-        try:
-            with self._last("liner") as file:
-                root = file["VTKHDF"]
-                first = root["Offsets"][:-1][root["Types"][:] == QUAD]  # of the drum's profile
-                corner = root["Points"][:][root["Connectivity"][:][first], :2]
-        except (NotRecorded, KeyError):
-            return None
-        return float(np.hypot(*corner.T).max()) if len(corner) else None
+        return self.liner.drum_radius() if self.liner else None
 
     def extent(self):
         """Lower and upper corner (m) of what the pictures of a section show."""
@@ -175,27 +186,3 @@ def attribute(item, *names, default=np.nan):
         if name in item.attrs:
             return np.ravel(item.attrs[name])[0]
     return default
-
-
-def read_table(path):
-    """A CSV file as a dict of columns: numbers where all are numbers, else strings. A last line
-    that was cut off while being written is left out."""
-    name = os.path.basename(path)
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = [row for row in csv.reader(file) if row and not row[0].startswith("#")]
-    except OSError:
-        raise NotRecorded(f"no {name}") from None
-    if len(rows) < 2:
-        raise NotRecorded(f"{name} holds no row yet")
-    head = [title.strip() for title in rows[0]]
-    rows = [row for row in rows[1:] if len(row) == len(head)]
-    if not rows:
-        raise NotRecorded(f"{name} holds no whole row yet")
-    table = {}
-    for title, column in zip(head, zip(*rows)):
-        try:
-            table[title] = np.array([float(text) if text else np.nan for text in column])
-        except ValueError:
-            table[title] = np.array(column)
-    return table

@@ -6,7 +6,7 @@ ledger, which keeps  work = change of stored energy + losses + residue.
 """
 import numpy as np
 
-from figures.folder import NotRecorded
+from figures.table import NotRecorded
 
 STORED = (("kinetic_translation", "kinetic, translation"), ("kinetic_rotation", "kinetic, spin"),
           ("gravity", "gravity"),

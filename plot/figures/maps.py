@@ -1,32 +1,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """Maps on the voxel grids: porosity at each resolution, and the components of the motion."""
-import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.folder import NotRecorded
-from figures.style import (COLUMN, MM, PAGE, MillFigure, clip_to_drum, draw_outline,
-                           draw_rotation, hide_inner_labels, mill_axes, panel_letter, round_limit)
-
-WALL = "0.88"  # grey of what no particle's centre was seen in
+from figures.scenery import draw_rotation, draw_swept, shade_drum, tell_dashes
+from figures.style import (COLUMN, MM, PAGE, MillFigure, clip_to_drum, hide_inner_labels, mill_axes,
+                           panel_letter, round_limit)
+from figures.table import NotRecorded
 
 
 def draw_map(axes, run, grid, values, **options):
     """One map with the drum around it; returns what a colour bar needs."""
     x, y = grid.edges()
-    if run.drum_radius:
-        axes.add_patch(plt.Circle((0, 0), run.drum_radius * MM, color=WALL, lw=0, zorder=0))
+    shade_drum(axes, run)
     picture = axes.pcolormesh(x * MM, y * MM, np.ma.masked_invalid(values), rasterized=True,
                               linewidth=0, **options)
     clip_to_drum(picture, axes, run)
-    draw_outline(axes, run)
+    draw_swept(axes, run)
     mill_axes(axes, run)
     return picture
 
 
 def window(grid):
+    """What a mean is taken over."""
     if not np.isfinite(grid.first_time) or not np.isfinite(grid.last_time):
-        return f"mean of {grid.samples} samples"
-    return f"mean of {grid.samples} samples, {grid.first_time:.2f} s to {grid.last_time:.2f} s"
+        return f"{grid.samples} samples"
+    return f"{grid.samples} samples, {grid.first_time:.2f} s to {grid.last_time:.2f} s"
 
 
 def each_and_together(run, gallery, grids, draw, label, name, extend):
@@ -35,14 +33,15 @@ def each_and_together(run, gallery, grids, draw, label, name, extend):
         one = MillFigure((1.3 + 0.5 * (grid is grids[0])) * COLUMN)
         one.colour_bar(draw(one.panels[0], grid), label, extend=extend)
         draw_rotation(one.panels[0], run)
-        one.panels[0].set_title(f"{grid.title()}\n{window(grid)}", fontsize=7)
+        tell_dashes(one.panels[0], run)
+        one.panels[0].set_title(f"{grid.title()}\nmean of {window(grid)}", fontsize=7)
         gallery.save(one.figure, f"{name}_{grid.file_name()}")
     if len(grids) < 2:
         return
     row = MillFigure(PAGE, columns=len(grids))
     for index, (axes, grid) in enumerate(zip(row.panels, reversed(grids))):
         picture = draw(axes, grid)
-        axes.set_title(grid.title(), fontsize=7)
+        axes.set_title(f"{grid.title()}\n{window(grid)}", fontsize=7)
         panel_letter(axes, index)
     hide_inner_labels(row.panels, 1, len(grids))
     row.colour_bar(picture, label, extend=extend)
@@ -54,7 +53,7 @@ def porosity(run, gallery):
     def draw(axes, grid):
         return draw_map(axes, run, grid, grid.porosity(), cmap="cividis", vmin=0.3, vmax=1.0)
 
-    each_and_together(run, gallery, run.grids, draw, "porosity (–)", "porosity", "min")
+    each_and_together(run, gallery, run.means, draw, "porosity (–)", "porosity", "min")
 
 
 COMPONENTS = (("velocity_x", "$v_x$ (m/s)"), ("velocity_y", "$v_y$ (m/s)"),
@@ -64,7 +63,7 @@ COMPONENTS = (("velocity_x", "$v_x$ (m/s)"), ("velocity_y", "$v_y$ (m/s)"),
 
 def components(run, gallery):
     """Mean velocity by component, speed and granular temperature on the second finest grid."""
-    grid = run.grids[min(1, len(run.grids) - 1)]
+    grid = run.means[min(1, len(run.means) - 1)]
     wanted = [pair for pair in COMPONENTS if grid.has(pair[0])]
     if not wanted:
         raise NotRecorded("fields.h5 holds no velocities")
@@ -80,6 +79,6 @@ def components(run, gallery):
     hide_inner_labels(square.panels, 2, 2)
     for axes in square.panels[len(wanted):] + square.bars[len(wanted):]:
         axes.set_visible(False)
-    square.figure.text(0.5, 0.985, f"{grid.title()}, {window(grid)}", ha="center", va="top",
+    square.figure.text(0.5, 0.985, f"{grid.title()}, mean of {window(grid)}", ha="center", va="top",
                        fontsize=7)
     gallery.save(square.figure, "velocity_components")

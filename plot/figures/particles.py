@@ -1,30 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The particles that a cross-section cuts, at their true size, coloured by speed."""
+"""The circles in which a cross-section cuts the particles, coloured by speed."""
 from matplotlib.collections import EllipseCollection
 import numpy as np
 
-from figures.folder import NotRecorded
-from figures.style import (COLUMN, MM, MillFigure, draw_outline, draw_rotation, mill_axes,
-                           round_limit)
+from figures.scenery import draw_liner, draw_rotation, draw_scenery
+from figures.style import COLUMN, MM, MillFigure, mill_axes, round_limit
+from figures.table import NotRecorded
 
 
-def cut_particles(position, radius, z):
-    """Indices of the particles that the plane at `z` cuts, the furthest from the eye first."""
-    cut = np.flatnonzero(np.abs(position[:, 2] - z) < radius)
-    return cut[np.argsort(position[cut, 2], kind="stable")]
+def cut_circles(position, radius, z):
+    """Indices of the particles that the plane at `z` cuts, and the radii (m) of the circles."""
+    square = radius ** 2 - (position[:, 2] - z) ** 2
+    cut = np.flatnonzero(square > 0)
+    return cut, np.sqrt(square[cut])
 
 
 def cross_section(run, gallery):
     frame = run.frame
     speed = np.ravel(frame["speed"]) if "speed" in frame else \
         np.linalg.norm(frame["velocity"], axis=1)
-    chosen = cut_particles(frame["position"], frame["radius"], run.section)
+    chosen, cut_radius = cut_circles(frame["position"], frame["radius"], run.section)
     if not len(chosen):
-        raise NotRecorded("no particle crosses the middle of the drum in the last frame")
+        raise NotRecorded("the section cuts no particle of the last frame")
     top = round_limit(speed[chosen], 99.5)
     page = MillFigure(1.5 * COLUMN)
     axes = page.panels[0]
-    diameter = 2 * frame["radius"][chosen] * MM
+    diameter = 2 * cut_radius * MM
     picture = EllipseCollection(diameter, diameter, np.zeros(len(chosen)), units="xy",
                                 offsets=frame["position"][chosen, :2] * MM,
                                 offset_transform=axes.transData, cmap="viridis",
@@ -32,10 +33,11 @@ def cross_section(run, gallery):
     picture.set_array(speed[chosen])
     picture.set_clim(0, top)
     axes.add_collection(picture)
-    draw_outline(axes, run)
-    draw_rotation(axes, run)
     mill_axes(axes, run)
-    axes.set_title(f"particles cut by $z$ = {run.section * MM:.3g} mm, $t$ = {frame['time']:.3f} s",
-                   fontsize=7)
+    draw_scenery(axes, run, run.section)
+    draw_liner(axes, run)
+    draw_rotation(axes, run)
+    axes.set_title(f"balls as the plane $z$ = {run.section * MM:.3g} mm cuts them, "
+                   f"$t$ = {frame['time']:.3f} s", fontsize=7)
     page.colour_bar(picture, "speed (m/s)", extend="max")
     gallery.save(page.figure, "particles")

@@ -3,9 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.folder import NotRecorded
 from figures.ledger import Ledger
 from figures.style import BLUE, COLUMN, GREY, RED
+from figures.table import NotRecorded
 
 SMOOTH_REVOLUTIONS = 0.1  # 1   width of the running mean
 

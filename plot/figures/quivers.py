@@ -2,14 +2,16 @@
 """Mean velocity as arrows coloured by speed, at each resolution.
 
 A grid too fine for an arrow in every voxel shows the speed of every voxel as colour, and fewer arrows."""
+from matplotlib.colors import ListedColormap
 import numpy as np
 
-from figures.folder import NotRecorded
 from figures.maps import each_and_together
-from figures.style import MM, clip_to_drum, draw_outline, mill_axes, round_limit
+from figures.scenery import draw_swept, shade_drum
+from figures.style import MM, clip_to_drum, mill_axes, round_limit
+from figures.table import NotRecorded
 
-LONGEST = 2.8  # 1   length of the arrow of the largest speed shown, in voxels
-ACROSS = 64    # 1   arrows that can be told apart across the drum
+LONGEST = 2.8  # 1       length of the arrow of the largest speed shown, in voxels
+DENSEST = 14   # 1/inch  arrows that can be told apart
 
 
 def draw_arrows(axes, run, grid, top):
@@ -20,13 +22,16 @@ def draw_arrows(axes, run, grid, top):
     seen = np.isfinite(speed)
     if run.drum_radius:
         seen &= np.hypot(x, y) < run.drum_radius
-    every = max(1, round(speed.shape[1] / ACROSS))
+    shade_drum(axes, run)
+    wide = axes.get_position().width * axes.figure.get_size_inches()[0]  # inches
+    every = max(1, round(speed.shape[1] / (DENSEST * wide)))
     colours = {"cmap": "viridis", "clim": (0, top)}
-    picture = None
+    behind = {"cmap": "viridis", "vmin": 0, "vmax": top} if every > 1 else \
+        {"cmap": ListedColormap(["white"])}
+    picture = axes.pcolormesh(x * MM, y * MM, np.where(seen, speed, np.nan), shading="nearest",
+                              rasterized=True, **behind)
+    clip_to_drum(picture, axes, run)
     if every > 1:
-        picture = axes.pcolormesh(x * MM, y * MM, np.where(seen, speed, np.nan), shading="nearest",
-                                  cmap="viridis", vmin=0, vmax=top, rasterized=True)
-        clip_to_drum(picture, axes, run)
         thin = np.zeros_like(seen)
         thin[every // 2::every, every // 2::every] = True
         seen &= thin
@@ -40,15 +45,14 @@ def draw_arrows(axes, run, grid, top):
                          width=(0.18 if every > 1 else 0.28) * side, headwidth=2.6, headlength=3.4,
                          headaxislength=3, minlength=0.5, **colours)
     clip_to_drum(arrows, axes, run)
-    picture = picture or arrows
-    draw_outline(axes, run)
+    draw_swept(axes, run)
     mill_axes(axes, run)
-    return picture
+    return picture if every > 1 else arrows
 
 
 def velocity(run, gallery):
     """Arrows on each grid, all with one scale."""
-    grids = [grid for grid in run.grids if grid.has("velocity_x") and grid.has("velocity_y")]
+    grids = [grid for grid in run.means if grid.has("velocity_x") and grid.has("velocity_y")]
     if not grids:
         raise NotRecorded("fields.h5 holds no velocities")
     coarse = grids[-1]

@@ -3,11 +3,12 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.style import BLUE, COLUMN, GREY, RED, GREEN
+from figures.maps import window
+from figures.style import BLUE, COLUMN, GREEN, GREY, MM, RED
 
 
 def ring(run, gallery):
-    angle, solidity = run.ring
+    angle, solidity, inner = run.ring
     angle, solidity = from_minus_180(angle, solidity)
     figure, axes = plt.subplots(figsize=(1.3 * COLUMN, 0.8 * COLUMN), constrained_layout=True)
     axes.step(angle, solidity, where="mid", color=BLUE, lw=1.0)
@@ -31,7 +32,9 @@ def ring(run, gallery):
     axes.set_ylim(0, height)
     axes.set_xticks(np.arange(-180, 181, 45))
     axes.set_xlabel("angle from straight down, in the sense of rotation (°)")
-    axes.set_ylabel("solidity near the shell (–)")
+    axes.set_ylabel("solidity in the ring (–)")
+    depth = f", {(run.drum_radius - inner) * MM:.3g} mm deep" if run.drum_radius else ""
+    axes.set_title(f"ring along the shell{depth}; mean of {window(run.grids[0])}", fontsize=7)
     gallery.save(figure, "ring")
 
 

@@ -10,7 +10,6 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.collections import LineCollection  # noqa: E402
 import numpy as np  # noqa: E402
 
 COLUMN, PAGE = 3.35, 6.9  # inches   widths of a journal's column and page
@@ -64,30 +63,6 @@ def mill_axes(axes, run):
 def clip_to_drum(picture, axes, run):
     if run.drum_radius:
         picture.set_clip_path(plt.Circle((0, 0), run.drum_radius * MM, transform=axes.transData))
-
-
-def draw_outline(axes, run):
-    """The section of the last liner with its lifters; without a liner, the drum's circle."""
-    if run.outline is not None and len(run.outline):
-        axes.add_collection(LineCollection(run.outline * MM, colors=BLACK, linewidths=0.6, zorder=6,
-                                           capstyle="round"))
-    elif run.drum_radius:
-        axes.add_patch(plt.Circle((0, 0), run.drum_radius * MM, fill=False, lw=0.6, ec=BLACK,
-                                  zorder=6))
-
-
-def draw_rotation(axes, run):
-    """An arrow outside the drum in the sense it turns."""
-    speed = run.number("speed_rad_s")
-    if not run.drum_radius or not speed:
-        return
-    radius, sense = run.drum_radius * 1.06 * MM, np.sign(speed)
-    angles = np.radians(90 + sense * np.linspace(-14, 14, 30))
-    x, y = radius * np.cos(angles), radius * np.sin(angles)
-    axes.plot(x[:-1], y[:-1], color=BLACK, lw=0.8, clip_on=False)
-    axes.annotate("", (x[-1], y[-1]), (x[-3], y[-3]), annotation_clip=False,
-                  arrowprops={"arrowstyle": "-|>", "lw": 0.8, "color": BLACK,
-                              "mutation_scale": 7, "shrinkA": 0, "shrinkB": 0})
 
 
 class MillFigure:

@@ -4,7 +4,8 @@ import importlib.util
 import pathlib
 import shutil
 
-from common import INPUT, IO, MILL, Skip, changed, checkpoints, main, quern, run, test, tree, write
+from common import (INPUT, IO, MILL, Skip, changed, checkpoints, main, quern, run, start, summary,
+                    test, tree, wait, wait_until, write)
 
 SCENE = changed(MILL, ("end: 0.06 s", "end: 1800 steps"))
 CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1)) + """\
@@ -51,11 +52,15 @@ def not_readable():
     quern("info", "a", "b").expect(INPUT, "usage: quern info")
 
 
-@test("plot draws pictures from a run, and run does so at its end unless told not to")
-def plot():
+def need_modules():
     for module in ("h5py", "matplotlib", "numpy"):
         if not importlib.util.find_spec(module):
             raise Skip(f"Python has no {module}")
+
+
+@test("plot draws pictures from a run, and run does so at its end unless told not to")
+def plot():
+    need_modules()
     scene = write("mill.yaml", changed(SCENE, ("pictures: no", "pictures: yes")))
     run(scene, "out", "--no-pictures").expect(0)
     assert not list(pathlib.Path("out").rglob("*.png"))
@@ -67,6 +72,51 @@ def plot():
     shutil.rmtree("out/pictures")
     run(scene, "out", "--resume").expect(0)
     assert sorted(p.name for p in pathlib.Path("out/pictures").glob("*.png")) == pictures
+
+
+def plotted(folder):
+    """Names of the pictures, and what was said."""
+    text = quern("plot", folder, "--dpi", "40").expect(0).out
+    return {p.name for p in (pathlib.Path(folder) / "pictures").glob("*.png")}, text
+
+
+@test("plot of a run that was killed draws what there is and tells what is missing and why")
+def plot_killed():
+    need_modules()
+    folder = pathlib.Path("killed")
+    child = start(write("mill.yaml", MILL), folder)
+    wait_until(lambda: (folder / "frames" / "frame_000002.hdf").exists())
+    child.kill()
+    wait(child)
+    assert not (folder / "summary.json").exists() and not (folder / "fields.h5").exists()
+    pictures, text = plotted(folder)
+    assert pictures >= {"particles.png", "energy.png", "power.png", "paths.png"}, pictures
+    assert "not drawn: porosity maps, velocity quivers, component maps, charge around the shell " \
+           "(no fields.h5" in text, text
+
+
+@test("plot of a run with one frame, one row and no fields draws the particles alone")
+def plot_one_frame():
+    need_modules()
+    run(write("mill.yaml", MILL), "out", "--steps", 0).expect(0)
+    pictures, text = plotted("out")
+    assert pictures == {"particles.png"}, pictures
+    for reason in ("no fields.h5", "single row", "single moment", "fewer than three rows"):
+        assert reason in text, text
+
+
+@test("too few samples give neither maps nor a shoulder, and the summary says why")
+def plot_few_samples():
+    need_modules()
+    run(write("mill.yaml", MILL), "out", "--steps", 300).expect(0)
+    found = summary("out")
+    assert found["shoulder_deg"] is None and found["toe_deg"] is None
+    assert found["solidity_bulk"] is None, found
+    assert "samples that bulk solidity, shoulder and toe need" in found["charge_note"], found
+    assert found["charge_note"] in pathlib.Path("out/log.txt").read_text()
+    pictures, text = plotted("out")
+    assert "particles.png" in pictures and "ring.png" not in pictures, pictures
+    assert "samples that a mean needs)" in text, text
 
 
 @test("plot tells what is not a run's folder")

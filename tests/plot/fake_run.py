@@ -18,6 +18,27 @@ SPEED = 5.66                              # rad/s
 LIFTERS, HEIGHT = 16, 0.006               # 1, m
 
 
+DROP = """\
+format: quern-scene/1
+walls:
+  floor: {shape: plane, material: glass, point: 0 0 0 m, normal: 0 2 0}
+  my box_low: {shape: plane, material: glass, point: 0.5 0 1 m, normal: -3 0 4}
+particles:
+  ball:
+    fixed: no
+    fill: at
+    at: 0 0.1 0 m
+    diameter: 0.003 m
+  anvil:
+    fixed: yes
+    fill: at
+    at: 0.1 0 0 m
+    diameter: 0.003 m
+measure:
+  series: 0.0001 s
+"""
+
+
 def flow(x, y):
     """Solidity and velocity (m/s) of the invented charge at points (m) of the section."""
     rho, angle = np.hypot(x, y), np.arctan2(y, x)
@@ -36,6 +57,7 @@ def write_fields(folder, cells, layers, rng):
     samples, voxel_height = 400, LENGTH / layers
     with h5py.File(os.path.join(folder, "fields.h5"), "w") as file:
         file.attrs["format"] = "quern-recording/1"
+        file.attrs["samples_least"] = 98
         for index, cell_in_radii in enumerate(cells):
             cell = cell_in_radii * BALL
             n = int(np.ceil(2 * DRUM / cell))
@@ -69,6 +91,7 @@ def write_fields(folder, cells, layers, rng):
             group["granular_temperature"] = 0.02 * np.exp(-solidity / 0.2) + 0 * noise[0] + empty
         angle = np.arange(-180, 180, 2.0) + 1
         ring = file.create_group("ring")
+        ring.attrs.update(inner_radius_m=DRUM - HEIGHT - 4 * BALL, samples=samples)
         ring["angle_deg"] = angle
         ring["solidity"] = 0.57 / (1 + np.exp((np.abs(angle - 25) - 55) / 5)) + 0.02
 
@@ -209,6 +232,8 @@ def make_drop(folder):
     write_bounces(folder)
     with open(os.path.join(folder, "summary.json"), "w", encoding="utf-8") as file:
         json.dump({"particles": 1}, file)
+    with open(os.path.join(folder, "resolved.yaml"), "w", encoding="utf-8") as file:
+        file.write(DROP)
 
 
 if __name__ == "__main__":

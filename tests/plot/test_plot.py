@@ -21,13 +21,31 @@ sys.path[:0] = [HERE, PLOT]
 
 import fake_run  # noqa: E402
 import h5py  # noqa: E402
+import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from figures import figure_list, power, ring, section, traces  # noqa: E402
-from figures.folder import NotRecorded, NotRun, Run, read_table  # noqa: E402
-from figures.ledger import Ledger  # noqa: E402
-from figures.particles import cut_particles  # noqa: E402
+from figures import energy, figure_list, liner, paths, power, ring, scenery, traces  # noqa: E402
+from figures.folder import NotRun, Run  # noqa: E402
+from figures.ledger import STORED, Ledger  # noqa: E402
+from figures.particles import cut_circles  # noqa: E402
 from figures.style import Gallery, round_limit  # noqa: E402
+from figures.table import NotRecorded, read_table  # noqa: E402
+
+
+SCENE = """\
+format: quern-scene/1
+time: {end: 40 steps, step: 10 us}
+materials: {glass: {young: 64 MPa, poisson: 0.23, density: 2500 kg/m3}}
+contacts: {glass-glass: {law: hertz-mindlin, friction: 0.2, restitution: 0.6}}
+walls:
+  room: {shape: box, material: glass, low: -50 -50 -50 mm, high: 50 50 50 mm}
+  ramp: {shape: plane, material: glass, point: -40 0 0 mm, normal: 3 4 0}
+particles:
+  ball: {material: glass, diameter: 3 mm, at: 10 0 0 mm}
+  anvil: {material: glass, diameter: 4 mm, at: 0 20 0 mm, fixed: yes}
+measure: {traces: {ids: 1, every: 1 steps}}
+output: {frames: 20 steps, pictures: no}
+"""
 
 
 def draw_all(folder, pictures):
@@ -68,14 +86,15 @@ class Folders(unittest.TestCase):
             "porosity_4R.png", "porosity_8R.png", "porosity.png", "velocity_4R.png",
             "velocity_8R.png", "velocity.png", "velocity_components.png", "particles.png",
             "power.png", "energy.png", "ring.png"])
-        self.assertEqual(skipped, ["traces", "contact forces"])
+        self.assertEqual(skipped, ["paths", "traces", "contact forces"])
 
     def test_a_drop_gives_its_traces_and_says_what_is_skipped(self):
         result = script(self.drop, "--dpi", "30", "-o", os.path.join(self.root, "drop-pictures"))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("traces.png", result.stdout)
         self.assertIn("contact_forces.png", result.stdout)
-        self.assertIn("did not record them: porosity maps", result.stdout)
+        self.assertIn("not drawn: particles (no frames/frame_*.hdf)", result.stdout)
+        self.assertIn("charge around the shell (no fields.h5", result.stdout)
 
     def test_the_same_recordings_give_the_same_bytes(self):
         for folder in (self.mill, self.drop):
@@ -95,7 +114,62 @@ class Folders(unittest.TestCase):
             path = os.path.join(folder, part)
             shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
             _, skipped = draw_all(folder, os.path.join(folder, "new"))
-            self.assertEqual(set(skipped) - {"traces", "contact forces"}, set(figures), part)
+            self.assertEqual(set(skipped) - {"paths", "traces", "contact forces"}, set(figures), part)
+
+    def test_maps_are_drawn_only_from_enough_samples(self):
+        folder = self.copy_of(self.mill)
+        with h5py.File(os.path.join(folder, "fields.h5"), "a") as file:
+            file.attrs["samples_least"] = 401
+        for name, draw in figure_list():
+            if name in ("porosity maps", "velocity quivers", "component maps",
+                        "charge around the shell"):
+                with self.assertRaisesRegex(NotRecorded, "400 of the 401 samples"):
+                    draw(Run(folder), None)
+        _, skipped = draw_all(folder, os.path.join(folder, "new"))
+        self.assertNotIn("power", skipped)
+        with h5py.File(os.path.join(folder, "fields.h5"), "a") as file:
+            del file.attrs["samples_least"]
+        self.assertEqual(len(Run(folder).means), 2)
+
+    def test_the_tips_of_the_lifters_run_on_a_circle(self):
+        half = np.arcsin(fake_run.HEIGHT / 2 / fake_run.DRUM)  # the middle of a flat top is nearest
+        tips = (fake_run.DRUM - fake_run.HEIGHT) * np.cos(half)
+        self.assertAlmostEqual(Run(self.mill).lifter_tips, tips, 7)
+        self.assertAlmostEqual(Run(self.mill).liner.drum_radius(), fake_run.DRUM, 6)
+        self.assertIsNone(Run(self.drop).lifter_tips)
+        smooth = Run(self.mill).liner
+        radius = np.hypot(*smooth.profile.reshape(-1, 2).T).reshape(-1, 2).min(axis=1)
+        smooth.profile = smooth.profile[radius > fake_run.DRUM * 0.9999]
+        self.assertIsNone(smooth.tips())
+
+    def test_planes_and_fixed_balls_come_from_the_scene(self):
+        scene = Run(self.drop).scene
+        self.assertEqual([plane.name for plane in scene.planes], ["floor", "my box_low"])
+        np.testing.assert_allclose(scene.planes[0].normal, (0, 1, 0))
+        np.testing.assert_allclose(scene.planes[1].point, (0.5, 0, 1))
+        self.assertEqual(scene.radius, 0.0015)
+        self.assertEqual(len(scene.fixed), 1)
+        np.testing.assert_allclose(scene.fixed[0].centre, (0.1, 0, 0))
+        self.assertEqual(Run(self.mill).scene, ([], [], None))
+
+    def test_paths_leave_room_for_balls_and_what_stands_around(self):
+        low, high = paths.window(Run(self.drop), np.zeros(2), np.array((0.0015, 0.1)))
+        np.testing.assert_allclose((low[1], high[1]), (-0.0018, 0.103))
+        self.assertAlmostEqual(low[0], -0.003)
+        self.assertGreater(high[0], 0.1 + 0.0015)
+
+    def test_solid_ground_is_drawn_behind_a_plane(self):
+        figure, (low, high) = plt.subplots(2)
+        for axes, z in ((low, 0.0), (high, 0.97)):  # m
+            axes.set(xlim=(-200, 700), ylim=(-100, 400))
+            scenery.draw_scenery(axes, Run(self.drop), z)
+        floor, _, anvil = (patch for patch in low.patches if patch.get_fill())
+        _, side = high.patches
+        for patch, solid, free in ((floor, (0, -1), (0, 1)), (side, (461, 0), (459, 0)),
+                                   (anvil, (101, 0), (102, 0))):
+            inside = patch.get_path().transformed(patch.get_patch_transform()).contains_point
+            self.assertTrue(inside(solid) and not inside(free))
+        plt.close(figure)
 
     def test_files_cut_off_while_being_written_are_survived(self):
         folder = self.copy_of(self.mill)
@@ -127,7 +201,7 @@ class Folders(unittest.TestCase):
     def test_a_recording_that_makes_no_sense_ends_with_code_3(self):
         folder = self.copy_of(self.drop)
         with open(os.path.join(folder, "traces.csv"), "w", encoding="utf-8") as file:
-            file.write("step,time_s\n1,2\n")
+            file.write("step,time_s\n1,2\n2,3\n")
         result = script(folder, "--dpi", "30")
         self.assertEqual(result.returncode, 3)
         self.assertIn("traces: KeyError", result.stderr)
@@ -190,6 +264,22 @@ class Program(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(self.drop, "pictures", "traces.png")))
         self.assertEqual(self.plot(PROGRAM, "/nowhere").returncode, 2)
 
+    def test_planes_boxes_and_fixed_balls_are_found_in_what_the_program_writes(self):
+        scene, folder = os.path.join(self.root, "scene.yaml"), os.path.join(self.root, "out")
+        with open(scene, "w", encoding="utf-8") as file:
+            file.write(SCENE)
+        subprocess.run([PROGRAM, "run", scene, "-o", folder, "--quiet"], check=True)
+        found = Run(folder).scene
+        self.assertEqual(len(found.planes), 7)
+        np.testing.assert_allclose(found.planes[-1].normal, (0.6, 0.8, 0))
+        np.testing.assert_allclose(found.fixed[0].centre, (0, 0.02, 0))
+        self.assertEqual((len(found.fixed), found.fixed[0].radius, found.radius),
+                         (1, 0.002, None))
+        done = self.plot(PROGRAM, folder, "--dpi", "30")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in ("particles.png", "paths.png", "traces.png"):
+            self.assertIn(name, done.stdout)
+
     def test_an_installed_program_finds_the_script_in_its_own_prefix(self):
         program = self.place("prefix/bin")
         shutil.copytree(PLOT, os.path.join(self.root, "prefix", "share", "quern"))
@@ -220,16 +310,46 @@ class Parts(unittest.TestCase):
         points = np.concatenate([np.c_[base, np.zeros(4)], np.c_[base, np.ones(4)]])
         quads = [(i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i) for i in range(4)]
         for z in (0.5, 1.0):
-            cut = section.slice_cells(points, np.ravel(quads), 4 * np.arange(5), z)
+            cut = liner.slice_cells(points, np.ravel(quads), 4 * np.arange(5), z)
             lengths = np.hypot(*(cut[:, 1] - cut[:, 0]).T)
             np.testing.assert_allclose(lengths, (2, 1, 2, 1))
         split = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
-        cut = section.slice_cells(points, np.ravel(split), 3 * np.arange(9), 0.3)
+        cut = liner.slice_cells(points, np.ravel(split), 3 * np.arange(9), 0.3)
         self.assertAlmostEqual(np.hypot(*(cut[:, 1] - cut[:, 0]).T).sum(), 6)
 
-    def test_only_particles_the_plane_cuts_are_drawn_the_nearest_last(self):
-        position = np.array([(0, 0, 0.9), (0, 0, 2.1), (0, 0, 1.5), (0, 0, 0.2)], float)
-        self.assertEqual(list(cut_particles(position, np.ones(4), 1.0)), [3, 0, 2])
+    def test_particles_are_drawn_as_the_circles_the_plane_cuts(self):
+        position = np.array([(0, 0, 1.0), (0, 0, 2.1), (0, 0, 1.6), (0, 0, 0.2)], float)
+        which, radius = cut_circles(position, np.array((1, 1, 1, 2.0)), 1.0)
+        self.assertEqual(list(which), [0, 2, 3])
+        np.testing.assert_allclose(radius, (1, 0.8, np.sqrt(4 - 0.64)))
+
+    def test_components_that_are_zero_have_no_panel(self):
+        table = {f"{name}{axis}_{unit}": np.zeros(3) for axis in "xyz"
+                 for name, unit in (("", "m"), ("v", "m_s"), ("w", "rad_s"))}
+        table["vy_m_s"] = np.array((0, -1, 0.5))
+        table["vz_m_s"] = np.full(3, 1e-17)
+        table["wx_rad_s"] = np.array((0, 0, 3.0))
+        panels, zero = traces.panels_of(table)
+        self.assertEqual([label for label, _ in panels], [
+            "height $y$ (mm)", "speed (m/s)", "$v_y$ (m/s)", "$\\omega_x$ (rad/s)"])
+        self.assertEqual(zero, ["$v_x$", "$v_z$", "$\\omega_y$", "$\\omega_z$"])
+
+    def test_energies_that_never_change_are_left_out(self):
+        series = {"time_s": np.arange(3.0), "gravity_j": np.array((5, 5, 4.0)),
+                  "kinetic_rotation_j": np.full(3, 7.0)}
+        names = [name for name, _, _ in energy.moving(Ledger(series).channels(STORED))]
+        self.assertEqual(names, ["gravity"])
+
+    def test_a_rebound_is_the_ratio_of_speeds_along_the_normal(self):
+        time, n = np.arange(5.0), np.array((0.6, 0.8))
+        speed = np.array((-2, -2, 0, 1, 1.0))  # along the normal
+        moved = {"time_s": time, "id": np.ones(5), "vx_m_s": speed * n[0] + 3 * n[1],
+                 "vy_m_s": speed * n[1] - 3 * n[0], "vz_m_s": 0 * time}
+        touch = {"time_s": np.array((2.0,)), "id": np.ones(1), "partner": np.array(["plate"]),
+                 "normal_x": n[:1], "normal_y": n[1:], "normal_z": np.zeros(1)}
+        self.assertAlmostEqual(traces.rebound(moved, touch, np.array((0,))), 0.5)
+        self.assertIsNone(traces.rebound(moved, {**touch, "partner": np.array(["7"])}, [0]))
+        self.assertIsNone(traces.rebound(moved, {**touch, "time_s": np.array((4.0,))}, [0]))
 
     def test_contacts_are_told_apart_by_partner_and_by_gaps(self):
         table = {"step": np.array([1, 2, 3, 7, 8, 2.0]), "id": np.ones(6),
