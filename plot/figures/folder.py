@@ -13,7 +13,7 @@ import numpy as np
 
 from figures.grid import Grid
 from figures.liner import Liner
-from figures.scenery import read_scene
+from figures.scenery import read_scene, with_scenery
 from figures.table import NotRecorded, read_table
 
 
@@ -102,22 +102,35 @@ class Run:
 
     @functools.cached_property
     def frame(self):
-        """The last frame: a dict of arrays, with `position` and, in seconds, `time`."""
+        """The last frame without fixed balls: a dict of arrays, with `position` and, in seconds,
+        `time`."""
         with self._last("frame") as file:
             root = file["VTKHDF"]
             data = {name: root["PointData"][name][:] for name in root["PointData"]}
             data["position"] = root["Points"][:].astype(float)
-            data["time"] = float(attribute(file, "time_s", "time"))
-        if "radius" not in data or not len(data["position"]):
-            raise NotRecorded("the last frame holds no particle with a radius")
+            time = float(attribute(file, "time_s", "time"))
+        if "radius" not in data:
+            raise NotRecorded("the last frame holds no radius")
         data["radius"] = np.ravel(data["radius"]).astype(float)
-        return data
+        moves = np.ones(len(data["radius"]), bool)
+        for ball in self.scene.fixed:  # frames are in single precision
+            apart = np.abs(data["position"] - ball.centre).max(axis=1)
+            moves &= apart > 1e-6 * (ball.radius + np.abs(ball.centre).max())
+        if not moves.any():
+            raise NotRecorded("the last frame holds no particle that can move")
+        return {"time": time, **{name: values[moves] for name, values in data.items()}}
 
     @functools.cached_property
     def section(self):
-        """z (m) of the cross-section that is drawn: the middle of the drum or of the particles."""
-        z = (self.liner.points if self.liner else self.frame["position"])[:, 2]
-        return float((np.min(z) + np.max(z)) / 2)
+        """z (m) of the cross-section that is drawn: the middle of the drum, else where a plane
+        through some particle's centre cuts the largest area of particles."""
+        if self.drum_radius and self.liner:
+            return float(np.mean((self.liner.points[:, 2].min(), self.liner.points[:, 2].max())))
+        z, radius = self.frame["position"][:, 2], self.frame["radius"]
+        tried = np.unique(z)
+        tried = tried[::max(1, len(tried) // 500)]
+        area = [np.maximum(0, radius ** 2 - (z - at) ** 2).sum() for at in tried]
+        return float(tried[np.argmax(area)])
 
     @functools.cached_property
     def scene(self):
@@ -165,7 +178,8 @@ class Run:
             grid = self.grids[0]
             return grid.low, grid.high
         margin = 2 * radius + 0.05 * np.ptp(centre, axis=0).max()
-        return centre.min(axis=0) - margin, centre.max(axis=0) + margin
+        return with_scenery(self.scene, centre.min(axis=0) - margin, centre.max(axis=0) + margin,
+                            self.section)
 
     @functools.cached_property
     def series(self):

@@ -3,23 +3,20 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.scenery import draw_rotation, draw_scenery, draw_swept
+from figures.scenery import draw_rotation, draw_scenery, draw_swept, with_scenery
 from figures.style import LINES, MM, PAGE
 from figures.traces import traced
 
 FLATTEST = 6  # 1   paths longer than this by their height are stretched
 
 
-def window(run, x, y):
-    """Lower and upper corner (m) of what is shown."""
+def window(run, x, y, z):
+    """Lower and upper corner (m) of what is shown, seen along z with what is cut at `z`."""
     if run.drum_radius:
         return run.extent()
     low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
     margin = 2 * run.scene.radius if run.scene.radius else 0.08 * max(high - low)
-    low, high = low - margin, high + margin
-    for ball in run.scene.fixed:
-        low = np.minimum(low, ball.centre[:2] - 1.2 * ball.radius)
-        high = np.maximum(high, ball.centre[:2] + 1.2 * ball.radius)
+    low, high = with_scenery(run.scene, low - margin, high + margin, z)
     spare = np.maximum(0, 0.5 * max(high - low) - (high - low))  # a straight fall is no wider
     spare[1] = 0
     return low - spare / 2, high + spare / 2
@@ -29,7 +26,8 @@ def paths(run, gallery):
     table, ids = traced(run)
     shown = np.isin(table["id"], ids)
     x, y, z = (table[f"{axis}_m"] for axis in "xyz")
-    low, high = window(run, x[shown], y[shown])
+    z = float(np.median(z[shown]))
+    low, high = window(run, x[shown], y[shown], z)
     width, height = high - low
     even = width < FLATTEST * height
     shape = height / width if even else 1 / FLATTEST
@@ -46,7 +44,7 @@ def paths(run, gallery):
         axes.plot(x[rows] * MM, y[rows] * MM, color=colour, lw=0.8, label=f"particle {one:.0f}",
                   zorder=3)
         draw_ends(axes, run, x[rows] * MM, y[rows] * MM, colour, even)
-    draw_scenery(axes, run, float(np.median(z[shown])))
+    draw_scenery(axes, run, z)
     draw_swept(axes, run)
     draw_rotation(axes, run)
     axes.set_xlabel("$x$ (mm)")

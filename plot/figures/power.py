@@ -87,8 +87,10 @@ def show_mean(axes, run):
         return
     text = f"mean torque power {with_error(mean, error)} W"
     drift = run.number("power_drift_w")
-    if run.summary.get("steady") is False and drift is not None and mean:
-        text += f", not steady: drift {100 * drift / mean:+.0f} %"
+    if run.summary.get("steady") is False:
+        text += ", not steady"
+        if drift is not None and mean:
+            text += f": drift {100 * drift / mean:+.0f} %"
     axes.plot(limits, [mean, mean], color="black", lw=1.0, ls=(0, (5, 2)), label=text,
               zorder=4)
 

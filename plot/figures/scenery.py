@@ -54,19 +54,36 @@ def read_scene(path):
     return Scene(planes, fixed, diameters.pop() if len(diameters) == 1 else None)
 
 
+def traces_of(scene, z, centre):
+    """For each plane that the plane at `z` cuts: the point (m) of the line nearest to `centre`, and
+    the unit normal within the section."""
+    found = []
+    for plane in scene.planes:
+        size = np.hypot(*plane.normal[:2])
+        if size < 1e-6:
+            continue  # it lies along the section
+        n = plane.normal[:2] / size
+        off = (plane.point @ plane.normal - plane.normal[2] * z) / size - centre @ n
+        found.append((centre + off * n, n))
+    return found
+
+
+def with_scenery(scene, low, high, z):
+    """Corners (m) of a window, widened to fixed balls, and to planes that are no further away from
+    its middle than its longer side."""
+    middle, size = (low + high) / 2, max(high - low)
+    points = [at - 0.04 * size * n for at, n in traces_of(scene, z, middle)
+              if np.hypot(*(at - middle)) < size]
+    points += [ball.centre[:2] + way * 1.2 * ball.radius for ball in scene.fixed for way in (-1, 1)]
+    return np.min([low, *points], axis=0), np.max([high, *points], axis=0)
+
+
 def draw_scenery(axes, run, z):
     """Planes and fixed balls where the plane at `z` cuts them; the axes have their limits."""
     x, y = axes.get_xlim(), axes.get_ylim()
-    far = 2 * np.hypot(np.ptp(x), np.ptp(y)) + np.hypot(np.mean(x), np.mean(y))
-    for plane in run.scene.planes:
-        across = plane.normal[:2]
-        size = np.hypot(*across)
-        if size < 1e-6:
-            continue  # it lies along the section
-        n = across / size
-        at = n * (plane.point @ plane.normal - plane.normal[2] * z) / size * MM
-        at = at + (np.array([np.mean(x), np.mean(y)]) - at) @ (-n[1], n[0]) * np.array((-n[1], n[0]))
-        line = at + far * np.outer((-1, 1), (-n[1], n[0]))
+    far = 2 * np.hypot(np.ptp(x), np.ptp(y))
+    for at, n in traces_of(run.scene, z, np.array((np.mean(x), np.mean(y))) / MM):
+        line = at * MM + far * np.outer((-1, 1), (-n[1], n[0]))
         axes.add_patch(plt.Polygon([*line, *(line[::-1] - far * n)], fc=WALL, ec="0.6", lw=0,
                                    hatch="//////", zorder=1.5))
         axes.plot(*line.T, color=BLACK, lw=0.8, zorder=1.6, scalex=False, scaley=False)

@@ -36,7 +36,7 @@ def motion(run, gallery):
     table, ids = traced(run)
     panels, zero = panels_of(table)
     figure, rows = plt.subplots(len(panels), 1, sharex=True, constrained_layout=True,
-                                figsize=(0.72 * PAGE, (0.08 + 0.195 * len(panels)) * PAGE))
+                                figsize=(0.72 * PAGE, min(1.25, 0.08 + 0.195 * len(panels)) * PAGE))
     for axes, (label, values) in zip(rows, panels):
         for colour, one in zip(LINES, ids):
             mine = table["id"] == one
@@ -98,13 +98,14 @@ def forces(table):
 
 def draw_parts(axes, table, rows):
     """Elastic and damping part of the normal force, their sum, and the friction, against time."""
-    time = (table["time_s"][rows] - table["time_s"][rows[0]]) * 1e6
+    time = table["time_s"][rows] - table["time_s"][rows[0]]  # s
+    factor, unit = (1e3, "ms") if time[-1] > 2e-3 else (1e6, "µs")
     mark = "." if len(rows) < 80 else ""
     for label, values, colour in (("elastic", table["elastic_n"], BLUE),
                                   ("damping", table["damping_n"], RED), *forces(table)):
-        axes.plot(time, values[rows], color=colour, lw=0.9, marker=mark, ms=3, label=label)
+        axes.plot(factor * time, values[rows], color=colour, lw=0.9, marker=mark, ms=3, label=label)
     axes.axhline(0, color="0.6", lw=0.5, zorder=0)
-    axes.set_xlabel("time since first touch (µs)")
+    axes.set_xlabel(f"time since first touch ({unit})")
     axes.set_ylabel("force (N)")
     axes.set_ylim(top=1.3 * max(axes.get_ylim()[1], 1e-30))
     axes.legend(ncol=2, loc="upper right")

@@ -41,7 +41,7 @@ walls:
   room: {shape: box, material: glass, low: -50 -50 -50 mm, high: 50 50 50 mm}
   ramp: {shape: plane, material: glass, point: -40 0 0 mm, normal: 3 4 0}
 particles:
-  ball: {material: glass, diameter: 3 mm, at: 10 0 0 mm}
+  ball: {material: glass, diameter: 20 mm, at: 20 -20 0 mm}
   anvil: {material: glass, diameter: 4 mm, at: 0 20 0 mm, fixed: yes}
 measure: {traces: {ids: 1, every: 1 steps}}
 output: {frames: 20 steps, pictures: no}
@@ -153,8 +153,8 @@ class Folders(unittest.TestCase):
         self.assertEqual(Run(self.mill).scene, ([], [], None))
 
     def test_paths_leave_room_for_balls_and_what_stands_around(self):
-        low, high = paths.window(Run(self.drop), np.zeros(2), np.array((0.0015, 0.1)))
-        np.testing.assert_allclose((low[1], high[1]), (-0.0018, 0.103))
+        low, high = paths.window(Run(self.drop), np.zeros(2), np.array((0.0015, 0.1)), 0.0)
+        np.testing.assert_allclose((low[1], high[1]), (-0.00418, 0.103))
         self.assertAlmostEqual(low[0], -0.003)
         self.assertGreater(high[0], 0.1 + 0.0015)
 
@@ -279,6 +279,10 @@ class Program(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         for name in ("particles.png", "paths.png", "traces.png"):
             self.assertIn(name, done.stdout)
+        run = Run(folder)
+        np.testing.assert_array_equal(run.frame["id"], (1,))  # the anvil is fixed
+        self.assertAlmostEqual(run.section, 0.0)
+        self.assertLess(run.extent()[0][1], -0.05)  # the floor is seen
 
     def test_an_installed_program_finds_the_script_in_its_own_prefix(self):
         program = self.place("prefix/bin")
@@ -355,6 +359,17 @@ class Parts(unittest.TestCase):
         table = {"step": np.array([1, 2, 3, 7, 8, 2.0]), "id": np.ones(6),
                  "partner": np.array(["floor"] * 5 + ["lid"])}
         self.assertEqual([list(rows) for rows in traces.episodes(table)], [[0, 1, 2], [5], [3, 4]])
+
+    def test_a_window_is_widened_to_walls_that_are_near(self):
+        low, high = np.array((-1.0, -1)), np.array((1.0, 1))
+        wall = scenery.Plane("wall", np.array((1.5, 9, 9.0)), np.array((-1.0, 0, 0)))
+        slope = scenery.Plane("slope", np.array((0, 0, 5.0)), np.array((0, 0.8, 0.6)))
+        far = scenery.Plane("far", np.array((0, -4, 0.0)), np.array((0.0, 1, 0)))
+        ball = scenery.Ball(np.array((0, 1, 0.0)), 0.5)
+        found = scenery.with_scenery(scenery.Scene([wall, far], [ball], None), low, high, 0.0)
+        np.testing.assert_allclose(found, ((-1, -1), (1.58, 1.6)))
+        found = scenery.with_scenery(scenery.Scene([slope], [], None), low, high, 7.0)
+        np.testing.assert_allclose(found, ((-1, -1.58), (1, 1)))
 
     def test_angles_come_in_order_from_minus_180(self):
         angle, solidity = ring.from_minus_180(np.array([0, 90, 190, 270.0]), np.arange(4))
