@@ -73,13 +73,14 @@ qn_status qn_atomic_write_lazily(const char *path, const void *data, size_t byte
     return replace(path, data, bytes, false);
 }
 
-qn_status qn_folder_sync_files(const char *path)
+qn_status qn_file_sync(const char *path)
 {
-    int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    int trouble = folder < 0 || syncfs(folder) != 0 ? errno : 0;
-    if (folder >= 0) close(folder);
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0 && errno == ENOENT) return QN_OK;
+    int trouble = file < 0 || fsync(file) != 0 ? errno : 0;
+    if (file >= 0) close(file);
     if (!trouble) return QN_OK;
-    return qn_fail(QN_IO, "the files in %s could not be synced: %s", path, strerror(trouble));
+    return qn_fail(QN_IO, "%s could not be synced: %s", path, strerror(trouble));
 }
 
 qn_status qn_atomic_text(const char *path, const char *text)

@@ -20,12 +20,12 @@ enum { QN_FILE_NAME_MAX = 1280 };  // bytes   longest path the recorder makes
 /// Puts `bytes` of data in place of the file at `path`. QN_IO with the old file intact.
 QN_NODISCARD qn_status qn_atomic_write(const char *path, const void *data, size_t bytes);
 
-/// As qn_atomic_write, with the sync left to a later qn_folder_sync_files(): for many small files.
+/// As qn_atomic_write, with both syncs left to a later qn_file_sync() and qn_file_sync_name(): for many
+/// small files.
 QN_NODISCARD qn_status qn_atomic_write_lazily(const char *path, const void *data, size_t bytes);
 
-/// Makes sure that all files of a folder are on the disk (with whatever else its file system holds
-/// back).
-QN_NODISCARD qn_status qn_folder_sync_files(const char *path);
+/// Makes sure that what a file holds is on the disk; one that is not there is fine.
+QN_NODISCARD qn_status qn_file_sync(const char *path);
 
 /// As qn_atomic_write for a string.
 QN_NODISCARD qn_status qn_atomic_text(const char *path, const char *text);

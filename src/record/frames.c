@@ -12,6 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define FRAME_LIST "frames.hdf.series"
+#define LINER_LIST "liner.hdf.series"
+
 enum { VTK_POLY_VERTEX = 2, VTK_TRIANGLE = 5, VTK_QUAD = 9 };  // numbers of VTK's cell types
 
 static qn_status put_about(hid_t file, const qn_world *w)
@@ -252,11 +255,24 @@ qn_status qn_frames_list(const char *folder, const int64_t *steps, int64_t count
                          const qn_world *world)
 {
     char path[QN_FILE_NAME_MAX];
-    qn_path_join(path, folder, "frames.hdf.series");
+    qn_path_join(path, folder, FRAME_LIST);
     QN_TRY(write_list(path, "frame", steps, count, world->dt));
     if (!world->walls.has_drum && world->walls.mesh_count == 0) return QN_OK;
-    qn_path_join(path, folder, "liner.hdf.series");
+    qn_path_join(path, folder, LINER_LIST);
     return write_list(path, "liner", steps, count, world->dt);
+}
+
+qn_status qn_frames_sync(const char *folder, int64_t first, int64_t count)
+{
+    char path[QN_FILE_NAME_MAX];
+    if (first >= count) return QN_OK;
+    for (int64_t i = first; i < count; i++) {
+        QN_TRY(qn_file_sync(path_of(path, folder, "frame", i)));
+        QN_TRY(qn_file_sync(path_of(path, folder, "liner", i)));
+    }
+    QN_TRY(qn_file_sync(qn_path_join(path, folder, LINER_LIST)));
+    QN_TRY(qn_file_sync(qn_path_join(path, folder, FRAME_LIST)));
+    return qn_file_sync_name(path);
 }
 
 qn_status qn_frames_cut(const char *folder, int64_t first)

@@ -5,7 +5,7 @@
 // drum's profile drawn out along its axis and the triangle meshes. Both are VTKHDF unstructured
 // grids of version 1.0; frames.hdf.series and liner.hdf.series list them with their times. Particles
 // are in the order of their ids; velocities are those of the step itself. Frames are written lazily:
-// qn_folder_sync_files() before a checkpoint that counts them.
+// qn_frames_sync() before a checkpoint that counts them.
 #ifndef QN_RECORD_FRAMES_H
 #define QN_RECORD_FRAMES_H
 
@@ -21,6 +21,9 @@ QN_NODISCARD qn_status qn_frames_write(const char *folder, int64_t number, const
 /// Writes both lists of frames: frame i shows step steps[i] at the time steps[i] * dt.
 QN_NODISCARD qn_status qn_frames_list(const char *folder, const int64_t *steps, int64_t count,
                                       const qn_world *world);
+
+/// Makes sure that the frames from `first` up to `count` and their lists are on the disk.
+QN_NODISCARD qn_status qn_frames_sync(const char *folder, int64_t first, int64_t count);
 
 /// Removes frames with a number from `first` on: those a resumed run will write again.
 QN_NODISCARD qn_status qn_frames_cut(const char *folder, int64_t first);

@@ -87,6 +87,7 @@ static qn_status prepare(qn_recorder *rec, qn_run_mode mode, const qn_recorded_s
     QN_TRY(keep_scene(rec, scene));
     QN_TRY(open_files(rec, world, measure));
     rec->frame_stride = every.value > 0 ? qn_span_steps(world, every) : 0;
+    rec->frames_synced = rec->progress.frame_count;  // a checkpoint counts only such frames
     rec->wall_before = rec->progress.wall;
     if (*rec->note) qn_recorder_log(rec, "%s", rec->note);
     qn_recorder_log(rec, "quern " QN_VERSION ", %d particles, %s at step %" PRId64, world->count,
@@ -166,8 +167,10 @@ static qn_status sync_files(qn_recorder *rec)
     char path[QN_FILE_NAME_MAX];
     QN_TRY(qn_series_file_sync(&rec->series));
     QN_TRY(qn_traces_sync(&rec->traces));
-    if (rec->frame_stride == 0) return QN_OK;
-    return qn_folder_sync_files(in_folder(rec, path, "frames"));
+    in_folder(rec, path, "frames");
+    QN_TRY(qn_frames_sync(path, rec->frames_synced, rec->progress.frame_count));
+    rec->frames_synced = rec->progress.frame_count;
+    return QN_OK;
 }
 
 /// What is made from the rest: series.h5, fields.h5, summary.json.

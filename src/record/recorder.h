@@ -29,6 +29,7 @@ typedef struct qn_recorder {
     int64_t checkpoint_step;     //     step of the newest checkpoint; -1 for none
     int64_t resumed_step;        //     step the run went on from; -1 for a fresh start
     int64_t frame_stride;        //     steps between frames; 0 for none
+    int64_t frames_synced;       //     number of frames known to be on the disk
     int64_t series_step;         //     step of the last row; -1 for none
     double *row;                 //     that row; owned
     char note[1024];             //     what a person should know of the opening; "" for nothing
