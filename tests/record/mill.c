@@ -11,40 +11,33 @@
 #include <string.h>
 #include <unistd.h>
 
-const char mill_scene[] =
-    "format: quern-scene/1\n"
-    "title: A very small mill\n"
-    "time: {end: 2000 steps, step: 20 us}\n"
-    "materials:\n"
-    "  glass: {young: 5 MPa, poisson: 0.23, density: 2500 kg/m3}\n"
-    "contacts:\n"
-    "  glass-glass: {friction: 0.2, restitution: 0.66}\n"
-    "drum:\n"
-    "  diameter: 40 mm\n"
-    "  length: 12 mm\n"
-    "  ends: periodic\n"
-    "  material: glass\n"
-    "  speed: 20 rad/s\n"
-    "  lifters: {count: 4, height: 3 mm, top: 3 mm, face_angle: 75 deg}\n"
-    "particles:\n"
-    "  balls: {material: glass, diameter: 4 mm, count: 80}\n"
-    "measure:\n"
-    "  series: 20 steps\n"
-    "  fields: {start: 400 steps, duration: 1500 steps, every: 10 steps, cells: 1 2}\n"
-    "  traces: {ids: 1 7, every: 50 steps}\n"
-    "output: {frames: 200 steps, checkpoint: 1000 s}\n";
+// clang-format off
+#define SCENE                                                                           \
+    "format: quern-scene/1\n"                                                           \
+    "title: A very small mill\n"                                                        \
+    "time: {end: 2000 steps, step: 20 us}\n"                                            \
+    "materials:\n"                                                                      \
+    "  glass: {young: 5 MPa, poisson: 0.23, density: 2500 kg/m3}\n"                     \
+    "contacts:\n"                                                                       \
+    "  glass-glass: {friction: 0.2, restitution: 0.66}\n"                               \
+    "drum:\n"                                                                           \
+    "  diameter: 40 mm\n"                                                               \
+    "  length: 12 mm\n"                                                                 \
+    "  ends: periodic\n"                                                                \
+    "  material: glass\n"                                                               \
+    "  speed: 20 rad/s\n"                                                               \
+    "  lifters: {count: 4, height: 3 mm, top: 3 mm, face_angle: 75 deg}\n"              \
+    "particles:\n"                                                                      \
+    "  balls: {material: glass, diameter: 4 mm, count: 80}\n"                           \
+    "measure:\n"                                                                        \
+    "  series: 20 steps\n"                                                              \
+    "  fields: {start: 400 steps, duration: 1500 steps, every: 10 steps, cells: 1 2}\n" \
+    "  traces: {ids: 1 7, every: 50 steps}\n"                                           \
+    "output: {frames: 200 steps, checkpoint: 1000 s}\n"
+// clang-format on
 
-const char mill_other_scene[] = "# another\n"
-                                "format: quern-scene/1\n"
-                                "title: A very small mill\n"
-                                "time: {end: 2000 steps, step: 20 us}\n"
-                                "materials:\n"
-                                "  glass: {young: 5 MPa, poisson: 0.23, density: 2500 kg/m3}\n"
-                                "contacts:\n"
-                                "  glass-glass: {friction: 0.2, restitution: 0.66}\n"
-                                "particles:\n"
-                                "  balls: {material: glass, diameter: 4 mm, at: 0 0 0 mm}\n"
-                                "output: {frames: none}\n";
+const char mill_scene[] = SCENE;
+const char mill_other_scene[] = "# another\n" SCENE;
 
 static qn_status make_world(mill *m, const char *scene)
 {

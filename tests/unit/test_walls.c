@@ -2,8 +2,7 @@
 // Walls as a whole: their motion, numbering, and what a particle finds.
 #include "check.h"
 #include "world/walls.h"
-
-#include <stdlib.h>
+#include "worlds.h"
 
 enum { ROOM = 16 };
 
@@ -18,19 +17,13 @@ static double uniform(double low, double high)
 static qn_def mill(qn_ends ends)
 {
     qn_def def = {0};
-    def.drum = (qn_drum_def){.present = true,
-                             .name = "drum",
-                             .diameter = 0.3,
-                             .length = 0.1,
-                             .ends = ends,
-                             .material = 1,
-                             .end_material = 2,
-                             .lifter_count = 16,
-                             .lifter_height = 0.006,
-                             .lifter_top = 0.006,
-                             .lifter_base = 0.006,
-                             .leg_count = 3,
-                             .legs = {{0.5, 0, 0}, {1, 0, 2}, {INFINITY, 2, 2}}};
+    def.drum = drum_of(0.3, 0.1, ends);
+    def.drum.end_material = 2;
+    add_lifters(&def.drum, 16, 0.006, 0.006, 0.006);
+    def.drum.leg_count = 3;
+    def.drum.legs[0] = (qn_leg){0.5, 0, 0};
+    def.drum.legs[1] = (qn_leg){1, 0, 2};
+    def.drum.legs[2] = (qn_leg){INFINITY, 2, 2};
     return def;
 }
 

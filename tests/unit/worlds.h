@@ -84,6 +84,34 @@ static inline void add_box(qn_def *def, double side)
     add_plane(def, "z1", qn_v3(0, 0, side), qn_v3(0, 0, -1));
 }
 
+/// A drum of liner, periodic or closed by ends of liner; it stands still, without lifters.
+static inline qn_drum_def drum_of(double diameter, double length, qn_ends ends)
+{
+    return (qn_drum_def){.present = true,
+                         .name = "drum",
+                         .diameter = diameter,
+                         .length = length,
+                         .ends = ends,
+                         .material = 1,
+                         .end_material = 1};
+}
+
+/// Puts `count` lifters of a height and widths at top and base (m) into a drum.
+static inline void add_lifters(qn_drum_def *drum, int count, double height, double top, double base)
+{
+    drum->lifter_count = count;
+    drum->lifter_height = height;
+    drum->lifter_top = top;
+    drum->lifter_base = base;
+}
+
+/// Lets a drum turn at `speed` (rad/s), at once and for ever.
+static inline void turn_at(qn_drum_def *drum, double speed)
+{
+    drum->leg_count = 1;
+    drum->legs[0] = (qn_leg){INFINITY, speed, speed};
+}
+
 /// A slice of a 60 mm mill with lifters, turning at once at 12 rad/s, with `count` balls of 3 mm, under
 /// ten times gravity so that the loose packing is a bed within a few hundred steps.
 static inline qn_def def_of_mill(int count, qn_ends ends)
@@ -94,19 +122,9 @@ static inline qn_def def_of_mill(int count, qn_ends ends)
     g->amount = count;
     g->jitter = 0.5;
     def.gravity = qn_v3(0, -98.1, 0);
-    def.drum = (qn_drum_def){.present = true,
-                             .name = "drum",
-                             .diameter = 0.06,
-                             .length = 0.0125,
-                             .ends = ends,
-                             .material = 1,
-                             .end_material = 1,
-                             .lifter_count = 8,
-                             .lifter_height = 0.003,
-                             .lifter_top = 0.003,
-                             .lifter_base = 0.004,
-                             .leg_count = 1};
-    def.drum.legs[0] = (qn_leg){INFINITY, 12, 12};
+    def.drum = drum_of(0.06, 0.0125, ends);
+    add_lifters(&def.drum, 8, 0.003, 0.003, 0.004);
+    turn_at(&def.drum, 12);
     def.step = 1e-5;
     return def;
 }

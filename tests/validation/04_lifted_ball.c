@@ -25,18 +25,9 @@ static qn_world *carried(double speed)
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0, 0.3);
     double r = (D - BALL) / 2 - 1e-6, height = 0.004, pitch = 2 * QN_PI / 40;
     double half = sin(pitch / 2), base = D * half - BALL - SLACK;
-    def.drum = (qn_drum_def){.present = true,
-                             .name = "drum",
-                             .diameter = D,
-                             .length = 0.02,
-                             .ends = QN_ENDS_PERIODIC,
-                             .material = 1,
-                             .lifter_count = 40,
-                             .lifter_height = height,
-                             .lifter_top = base - 2 * height * half,
-                             .lifter_base = base,
-                             .leg_count = 1};
-    def.drum.legs[0] = (qn_leg){INFINITY, speed, speed};
+    def.drum = drum_of(D, 0.02, QN_ENDS_PERIODIC);
+    add_lifters(&def.drum, 40, height, base - 2 * height * half, base);
+    turn_at(&def.drum, speed);
     double x = r * half, y = -r * cos(pitch / 2);
     add_ball(&def, BALL, qn_v3(x, y, 0.01), qn_v3(-speed * y, speed * x, 0));
     def.step = 2e-5;

@@ -164,15 +164,9 @@ static qn_def channel(bool cut)
                                     0.04, -0.1, 0.1,   -0.1, 0.1, 0.1,  -0.1,   0.1};
     qn_def def = thrown(-0.07, -0.1 + R, 0.05, qn_v3(0.7, 0, 0.1));
     size_t size = cut ? sizeof pieces : sizeof whole;
-    def.drum = (qn_drum_def){.present = true,
-                             .name = "drum",
-                             .diameter = 0.3,
-                             .length = 0.2,
-                             .ends = QN_ENDS_FIXED,
-                             .material = 1,
-                             .end_material = 1,
-                             .profile_count = cut ? 8 : 4,
-                             .profile = malloc(size)};
+    def.drum = drum_of(0.3, 0.2, QN_ENDS_FIXED);
+    def.drum.profile_count = cut ? 8 : 4;
+    def.drum.profile = malloc(size);
     const double *points = cut ? pieces : whole;
     for (int i = 0; i < def.drum.profile_count; i++) {
         def.drum.profile[2 * i] = 0.8 * points[2 * i] - 0.6 * points[2 * i + 1];
