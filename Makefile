@@ -2,7 +2,8 @@
 # The front door: each target works as the first command in a clean checkout and installs what is
 # missing (tools/install-packages). The build itself is CMake's, in build/.
 #
-#     make run      runs scenes/pilot-mill.yaml; figures and pictures in out/pilot-mill/
+#     make run      runs scenes/pilot-mill.yaml; figures and pictures in out/pilot-mill/;
+#                   one that was stopped goes on
 #     make test     runs the tests
 #     make build    builds build/quern
 #     make install  [PREFIX=/usr/local] [DESTDIR=]
@@ -13,6 +14,8 @@ MAKEFLAGS += --no-print-directory
 BUILD := build
 JOBS ?= $(shell nproc)
 CONFIGURE = cmake -S . -B $(BUILD) $(CMAKE_FLAGS)
+PILOT := out/pilot-mill
+RUN_PILOT = $(BUILD)/quern run scenes/pilot-mill.yaml -o $(PILOT)
 COMPILE = cmake --build $(BUILD) --parallel $(JOBS)
 
 .PHONY: build run test install bench format clean configure
@@ -25,8 +28,11 @@ build: configure
 	@$(COMPILE) --target quern
 
 run: build
-	@test ! -e out/pilot-mill || echo "out/pilot-mill/ exists: this run replaces it."
-	$(BUILD)/quern run scenes/pilot-mill.yaml -o out/pilot-mill --force
+	@if grep -qs '"finished": false' $(PILOT)/summary.json; then \
+	    echo "$(PILOT)/ holds a run that was stopped: going on with it."; $(RUN_PILOT) --resume; \
+	else \
+	    test ! -e $(PILOT) || echo "$(PILOT)/ exists: this run replaces it."; $(RUN_PILOT) --force; \
+	fi
 
 test: configure
 	@$(COMPILE)
