@@ -194,14 +194,15 @@ static qn_status write_checkpoint(qn_recorder *rec, qn_world *world, qn_measure 
     QN_TRY(qn_checkpoint_write(qn_checkpoint_path(path, folder, world->step), world, measure,
                                &rec->progress));
     rec->checkpoint_step = world->step;
-    rec->checkpointed = clock_now();
     return qn_checkpoint_rotate(folder, world->def.output.checkpoint_keep);
 }
 
 qn_status qn_recorder_checkpoint(qn_recorder *rec, qn_world *world, qn_measure *measure)
 {
     QN_TRY(write_checkpoint(rec, world, measure));
-    return write_results(rec, world, measure, false);
+    QN_TRY(write_results(rec, world, measure, false));
+    rec->checkpointed = clock_now();  // else a slow disk would leave no time for steps between
+    return QN_OK;
 }
 
 qn_status qn_recorder_finish(qn_recorder *rec, qn_world *world, qn_measure *measure, bool finished)

@@ -25,7 +25,7 @@ typedef struct qn_recorder {
     qn_series_file series;
     qn_traces traces;
     double opened, wall_before;  // s   clock when opened, wall time used before that
-    double checkpointed;         // s   clock at the last checkpoint
+    double checkpointed;         // s   clock when the last checkpoint was all written
     int64_t checkpoint_step;     //     step of the newest checkpoint; -1 for none
     int64_t resumed_step;        //     step the run went on from; -1 for a fresh start
     int64_t frame_stride;        //     steps between frames; 0 for none

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { ROOM = 1 << 12 };
@@ -17,6 +18,8 @@ static ino_t synced[ROOM];  // files and folders with nothing left to sync
 static int synced_count;
 static int checkpoints;       // that took their name
 static char unsafe[80] = "";  // the first file that was not synced then
+
+static double last_sync;  // s   clock at the last fsync
 
 static int find(ino_t number)
 {
@@ -52,7 +55,11 @@ int fsync(int file)
     struct stat about;
     if (fstat(file, &about) == 0 && find(about.st_ino) == synced_count && synced_count < ROOM)
         synced[synced_count++] = about.st_ino;
-    return (int)syscall(SYS_fsync, file);
+    int done = (int)syscall(SYS_fsync, file);
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    last_sync = (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    return done;
 }
 
 int rename(const char *from, const char *to)
@@ -78,8 +85,21 @@ static void frames_are_on_the_disk_before_a_checkpoint_counts_them(void)
     CHECK(!*unsafe);
 }
 
+static void the_time_between_checkpoints_begins_when_one_is_all_written(void)
+{
+    mill m;
+    remove_folder("timed");
+    CHECK_STATUS(mill_open(&m, mill_scene, "timed", QN_NEW));
+    qn_status status = mill_run(&m, 100, 100);
+    bool after = m.recorder.checkpointed >= last_sync;
+    mill_close(&m);
+    CHECK_STATUS(status);
+    CHECK(after);
+}
+
 int main(int argc, char **argv)
 {
     TEST(frames_are_on_the_disk_before_a_checkpoint_counts_them);
+    TEST(the_time_between_checkpoints_begins_when_one_is_all_written);
     DONE;
 }
