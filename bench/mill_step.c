@@ -56,9 +56,10 @@ static void report(const qn_world *w, double *rates, int64_t rebuilds)
     printf("%d,%.2f,%.3f,%g,%s,%s,%d,%.1f,%d,%.4g,%.4g,%.4g\n", w->count,
            2.0 * (double)w->ledger.contacts_now / w->count,
            (double)w->ledger.wall_contacts_now / w->count, w->dt,
-           w->laws[0] == QN_LAW_HERTZ_MINDLIN ? "hertz-mindlin" : "other", qn_kernel_isa(),
-           w->threads, (double)ROUNDS * STEPS / (double)(rebuilds > 0 ? rebuilds : 1), ROUNDS,
-           rates[0], rates[ROUNDS / 2], rates[ROUNDS - 1]);
+           w->laws[0].tangential == QN_TANGENTIAL_MINDLIN ? "hertz-mindlin" : "other",
+           qn_kernel_isa(), w->threads,
+           (double)ROUNDS * STEPS / (double)(rebuilds > 0 ? rebuilds : 1), ROUNDS, rates[0],
+           rates[ROUNDS / 2], rates[ROUNDS - 1]);
 }
 
 static qn_status measure(const char *path)

@@ -14,10 +14,9 @@
 static const struct {
     const char *text, *stiffness, *damping;
 } laws[] = {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    {text, stiffness, damping},
-    QN_LAWS(L)
-#undef L
+#define N(NAME, model, text, power, unit, meaning) {text, unit, unit},
+    QN_NORMALS(N)
+#undef N
 };
 
 /// Name of a contact entry, in the order of the scene.
@@ -39,7 +38,7 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_forecast_pair p = qn_forecast_pair_of(w, c);
     if (!p.is_used) return;
     qn_json_open(j, name, '{');
-    qn_json_text(j, "law", laws[c->law].text);
+    qn_json_text(j, "law", laws[c->law.normal].text);
     qn_json_text(j, "between", p.is_wall ? "particle and wall" : "particles");
     qn_json_number(j, "effective_young_pa", qn_effective_young(&p.sides));
     qn_json_number(j, "effective_shear_pa", qn_effective_shear(&p.sides));
@@ -49,8 +48,8 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_json_number(j, "normal_damping", p.pair.normal_damping);
     qn_json_number(j, "tangential_stiffness", p.pair.tangential_stiffness);
     qn_json_number(j, "tangential_damping", p.pair.tangential_damping);
-    qn_json_text(j, "normal_stiffness_unit", laws[c->law].stiffness);
-    qn_json_text(j, "normal_damping_unit", laws[c->law].damping);
+    qn_json_text(j, "normal_stiffness_unit", laws[c->law.normal].stiffness);
+    qn_json_text(j, "normal_damping_unit", laws[c->law.normal].damping);
     qn_json_number(j, "friction", c->friction);
     qn_json_number(j, "restitution", c->restitution);
     qn_json_number(j, "rolling_friction", c->rolling_friction);
@@ -105,12 +104,13 @@ static void print_pairs(const qn_world *w)
             printf("  %-18s never touch\n", name);
             continue;
         }
-        printf("  %-18s %-14s  %-9.4g %-9.4g %-9.4g %-6.4g %-6.4g %.4g\n", name, laws[c->law].text,
-               qn_effective_young(&p.sides), qn_effective_radius(&p.sides),
-               qn_effective_mass(&p.sides), c->friction, c->restitution, damping_ratio(&p));
+        printf("  %-18s %-14s  %-9.4g %-9.4g %-9.4g %-6.4g %-6.4g %.4g\n", name,
+               laws[c->law.normal].text, qn_effective_young(&p.sides),
+               qn_effective_radius(&p.sides), qn_effective_mass(&p.sides), c->friction,
+               c->restitution, damping_ratio(&p));
         printf("  %-18s normal %.8g %s, %.8g %s\n", p.is_wall ? "  (with a wall)" : "",
-               p.pair.normal_stiffness, laws[c->law].stiffness, p.pair.normal_damping,
-               laws[c->law].damping);
+               p.pair.normal_stiffness, laws[c->law.normal].stiffness, p.pair.normal_damping,
+               laws[c->law.normal].damping);
         printf("  %-18s tangential %.8g, %.8g; rolling friction %.4g\n", "",
                p.pair.tangential_stiffness, p.pair.tangential_damping, c->rolling_friction);
     }

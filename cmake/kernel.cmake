@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# quern_add_kernel(LIBRARY SOURCE): compiles the contact kernel once for each instruction set.
+# quern_add_kernel(LIBRARY SOURCE...): compiles the contact kernel once for each instruction set.
 #
 # QN_ISA (base, v3 or v4) ends the kernel's public names; src/step/cpu/dispatch.c picks one when
 # the program starts. gcc leaves square roots scalar without the two -fno flags. Machines other
@@ -15,9 +15,9 @@ else()
     set(quern_isas base)
 endif()
 
-function(quern_add_kernel library source)
+function(quern_add_kernel library)
     foreach(isa IN LISTS quern_isas)
-        add_library(quern_kernel_${isa} OBJECT ${source})
+        add_library(quern_kernel_${isa} OBJECT ${ARGN})
         target_compile_definitions(quern_kernel_${isa} PRIVATE QN_ISA=${isa})
         target_link_libraries(quern_kernel_${isa} PRIVATE quern_flags)
         target_compile_options(quern_kernel_${isa} PRIVATE ${quern_kernel_flags}

@@ -1,59 +1,219 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contact laws: each is a normal model and a tangential model under one name.
+// The contact laws: a normal spring, a damping, a tangential model and a rolling model each.
 //
-// To add a model, write normal_<name>.h or tangential_<name>.h; to add a law, add its row here. The
-// scene reader, `quern help scene`, `quern check`, the inner loops and the generic tests follow.
+// To add a model, write its file and add its row here; the scene reader, `quern help scene`, `quern
+// check`, the inner loops and the generic tests follow. A law is any four that make sense together
+// (qn_law_trouble()); the usual ones have names.
 #ifndef QN_PHYSICS_LAWS_H
 #define QN_PHYSICS_LAWS_H
 
+#include "physics/damping_hunt_crossley.h"
+#include "physics/damping_none.h"
+#include "physics/damping_thesis.h"
+#include "physics/damping_tsuji.h"
+#include "physics/damping_viscous.h"
 #include "physics/normal_hertz.h"
 #include "physics/normal_linear.h"
 #include "physics/normal_thesis.h"
+#include "physics/normal_young.h"
+#include "physics/rolling_constant.h"
+#include "physics/rolling_epsd.h"
+#include "physics/rolling_none.h"
+#include "physics/rolling_thesis.h"
+#include "physics/rolling_viscous.h"
 #include "physics/tangential_linear.h"
 #include "physics/tangential_mindlin.h"
+#include "physics/tangential_none.h"
 #include "physics/tangential_thesis.h"
+#include "physics/tangential_thornton.h"
+#include "physics/tangential_viscous.h"
+
+#include <stddef.h>
 
 // clang-format off
-//    NAME           in scenes        normal  tangential  clips   stiffness unit, damping unit, meaning
-#define QN_LAWS(L)                                                                                        \
-    L(HERTZ_MINDLIN, "hertz-mindlin", hertz,  mindlin,    true,  "N/m^1.5", "N s/m^1.25",                 \
-      "Hertz spring, Mindlin tangential spring with history, exact restitution")                          \
-    L(LINEAR,        "linear",        linear, linear,     true,  "N/m",     "N s/m",                      \
-      "linear springs with history, exact restitution; needs a stiffness")                                \
-    L(THESIS,        "thesis",        thesis, thesis,     false, "N/m^1.5", "N s/m^1.25",                 \
-      "the reference thesis's law and convention, as its Algorithms 5.5 and 5.7")
-// clang-format on
+//    NAME      model    in scenes   power  unit of k    meaning
+#define QN_NORMALS(N)                                                                                    \
+    N(LINEAR,   linear,  "linear",   1,     "N/m",       "linear spring")                                \
+    N(HERTZ,    hertz,   "hertz",    1.5,   "N/m^1.5",   "Hertz's spring between elastic spheres")       \
+    N(YOUNG,    young,   "young",    2,     "Pa",        "the reference thesis's compressed columns (4.1)") \
+    N(THESIS,   thesis,  "thesis",   1.5,   "N/m^1.5",   "the reference thesis's spring and convention")
 
-typedef enum qn_law {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) QN_LAW_##NAME,
+//    NAME           model           in scenes         goes with                unit of c       meaning
+#define QN_DAMPINGS(D)                                                                                   \
+    D(NONE,          none,           "none",           QN_ANY_NORMAL,           "",             "none: restitution 1") \
+    D(VISCOUS,       viscous,        "viscous",        1 << QN_NORMAL_LINEAR,   "N s/m",        "constant coefficient, exact restitution") \
+    D(TSUJI,         tsuji,          "tsuji",          1 << QN_NORMAL_HERTZ,    "N s/m^1.25",   "Tsuji's form, exact restitution") \
+    D(HUNT_CROSSLEY, hunt_crossley,  "hunt-crossley",  QN_ANY_NORMAL,           "s/m",          "in proportion to the spring's force; exact restitution at impact_speed") \
+    D(THESIS,        thesis,         "thesis",         1 << QN_NORMAL_THESIS,   "N s/m^1.25",   "the reference thesis's dashpot")
+
+//    NAME       model     in scenes            goes with               meaning
+#define QN_TANGENTIALS(T)                                                                                \
+    T(NONE,      none,     "none",              QN_ANY_NORMAL,          "none: smooth")                  \
+    T(VISCOUS,   viscous,  "viscous",           QN_ANY_NORMAL,          "tangential_damping times the sliding speed") \
+    T(LINEAR,    linear,   "linear",            1 << QN_NORMAL_LINEAR,  "linear spring with history")    \
+    T(MINDLIN,   mindlin,  "mindlin",           1 << QN_NORMAL_HERTZ,   "Mindlin's spring with displacement history") \
+    T(THORNTON,  thornton, "mindlin-thornton",  1 << QN_NORMAL_HERTZ,   "Mindlin's spring with force history, Thornton's unloading") \
+    T(THESIS,    thesis,   "thesis",            1 << QN_NORMAL_THESIS,  "the reference thesis's, without memory")
+
+//    NAME      model     in scenes    remembers  meaning
+#define QN_ROLLINGS(R)                                                                                   \
+    R(NONE,     none,     "none",      false,     "none")                                                \
+    R(CONSTANT, constant, "constant",  false,     "constant torque (A)")                                 \
+    R(VISCOUS,  viscous,  "viscous",   false,     "rolling_viscosity times the rolling speed (B)")       \
+    R(EPSD,     epsd,     "epsd",      true,      "elastic-plastic spring and dashpot (C)")              \
+    R(THESIS,   thesis,   "thesis",    false,     "the reference thesis's (4.5)")
+
+//    NAME           in scenes        normal  damping  tangential  clips   meaning
+#define QN_LAWS(L)                                                                                       \
+    L(HERTZ_MINDLIN, "hertz-mindlin", HERTZ,  TSUJI,   MINDLIN,    true,                                 \
+      "Hertz spring, Mindlin tangential spring with history, exact restitution")                         \
+    L(LINEAR,        "linear",        LINEAR, VISCOUS, LINEAR,     true,                                 \
+      "linear springs with history, exact restitution; needs a stiffness or an impact speed")            \
+    L(THESIS,        "thesis",        THESIS, THESIS,  THESIS,     false,                                \
+      "the reference thesis's law and convention, as its Algorithms 5.5 and 5.7")
+
+typedef enum qn_normal_model {
+#define N(NAME, model, text, power, unit, meaning) QN_NORMAL_##NAME,
+    QN_NORMALS(N)
+#undef N
+    QN_NORMAL_COUNT
+} qn_normal_model;
+
+enum { QN_ANY_NORMAL = (1 << QN_NORMAL_COUNT) - 1 };
+
+typedef enum qn_damping_model {
+#define D(NAME, model, text, with, unit, meaning) QN_DAMPING_##NAME,
+    QN_DAMPINGS(D)
+#undef D
+    QN_DAMPING_COUNT
+} qn_damping_model;
+
+typedef enum qn_tangential_model {
+#define T(NAME, model, text, with, meaning) QN_TANGENTIAL_##NAME,
+    QN_TANGENTIALS(T)
+#undef T
+    QN_TANGENTIAL_COUNT
+} qn_tangential_model;
+
+typedef enum qn_rolling_model {
+#define R(NAME, model, text, remembers, meaning) QN_ROLLING_##NAME,
+    QN_ROLLINGS(R)
+#undef R
+    QN_ROLLING_COUNT
+} qn_rolling_model;
+
+typedef enum qn_law_name {
+#define L(NAME, text, normal, damping, tangential, clips, meaning) QN_LAW_##NAME,
     QN_LAWS(L)
 #undef L
-        QN_LAW_COUNT
+    QN_LAW_COUNT
+} qn_law_name;
+// clang-format on
+
+/// The models of a contact.
+typedef struct qn_law {
+    qn_normal_model normal;
+    qn_damping_model damping;
+    qn_tangential_model tangential;
+    qn_rolling_model rolling;
 } qn_law;
 
-/// The coefficients of a pair under a law. Host, once per pair of classes.
-static inline qn_pair qn_law_pair(qn_law law, const qn_sides *s)
+/// The law of a name, without rolling resistance.
+static inline qn_law qn_law_named(qn_law_name name)
 {
-    qn_pair p = {0};
-    p.depth_scale = 1;
-    switch (law) {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    case QN_LAW_##NAME:                                                       \
-        qn_##normal##_normal_pair(s, &p);                                     \
-        qn_##tangential##_tangential_pair(s, &p);                             \
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_NONE, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+    switch (name) {
+#define L(NAME, text, n, d, t, clips, meaning) \
+    case QN_LAW_##NAME:                        \
+        law.normal = QN_NORMAL_##n;            \
+        law.damping = QN_DAMPING_##d;          \
+        law.tangential = QN_TANGENTIAL_##t;    \
         break;
         QN_LAWS(L)
 #undef L
     case QN_LAW_COUNT: break;
     }
-    double inverse_inertia = 0;  // 1/(kg m2)   of a solid sphere, 2/5 m R^2
-    for (int i = 0; i < 2; i++)
-        if (!s->fixed[i]) inverse_inertia += 1 / (0.4 * s->mass[i] * s->radius[i] * s->radius[i]);
+    return law;
+}
+
+/// The power p of a spring whose force goes as depth^p.
+static inline double qn_normal_power(qn_normal_model model)
+{
+    static const double powers[] = {
+#define N(NAME, model, text, power, unit, meaning) power,
+        QN_NORMALS(N)
+#undef N
+    };
+    return powers[model];
+}
+
+/// Which of its models does not go with a law's spring: "damping", "tangential" or NULL.
+static inline const char *qn_law_trouble(qn_law law)
+{
+    static const int damping_with[] = {
+#define D(NAME, model, text, with, unit, meaning) with,
+        QN_DAMPINGS(D)
+#undef D
+    };
+    static const int tangential_with[] = {
+#define T(NAME, model, text, with, meaning) with,
+        QN_TANGENTIALS(T)
+#undef T
+    };
+    if (!(damping_with[law.damping] >> law.normal & 1)) return "damping";
+    return tangential_with[law.tangential] >> law.normal & 1 ? NULL : "tangential";
+}
+
+/// Whether a law's rolling model keeps a moment from step to step.
+static inline bool qn_law_remembers_rolling(qn_law law)
+{
+    static const bool remembers[] = {
+#define R(NAME, model, text, keeps, meaning) keeps,
+        QN_ROLLINGS(R)
+#undef R
+    };
+    return remembers[law.rolling];
+}
+
+/// The coefficients of a pair under a law. Host, once per pair of classes.
+static inline qn_pair qn_law_pair(qn_law law, const qn_sides *sides)
+{
+    qn_pair p = {0};
+    qn_sides given = *sides;
+    const qn_sides *s = &given;
+    p.depth_scale = 1;
     p.friction = s->friction;
     p.floor = s->clip ? 0 : -INFINITY;
-    p.rolling_arm = s->rolling_friction * qn_effective_radius(s);
-    p.rolling_limit = inverse_inertia > 0 ? 1 / (16 * inverse_inertia * s->dt) : 0;
     p.dt = s->dt;
+    if (law.damping == QN_DAMPING_NONE) given.restitution = 1;
+    switch (law.normal) {
+#define N(NAME, model, text, power, unit, meaning) \
+    case QN_NORMAL_##NAME: qn_##model##_normal_pair(s, &p); break;
+        QN_NORMALS(N)
+#undef N
+    case QN_NORMAL_COUNT: break;
+    }
+    switch (law.damping) {
+#define D(NAME, model, text, with, unit, meaning) \
+    case QN_DAMPING_##NAME: qn_##model##_damping_pair(s, &p); break;
+        QN_DAMPINGS(D)
+#undef D
+    case QN_DAMPING_COUNT: break;
+    }
+    switch (law.tangential) {
+#define T(NAME, model, text, with, meaning) \
+    case QN_TANGENTIAL_##NAME: qn_##model##_tangential_pair(s, &p); break;
+        QN_TANGENTIALS(T)
+#undef T
+    case QN_TANGENTIAL_COUNT: break;
+    }
+    switch (law.rolling) {
+#define R(NAME, model, text, remembers, meaning) \
+    case QN_ROLLING_##NAME: qn_##model##_rolling_pair(s, &p); break;
+        QN_ROLLINGS(R)
+#undef R
+    case QN_ROLLING_COUNT: break;
+    }
     return p;
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normal force of the reference thesis (Algorithms 5.5 and 5.7), with its own convention.
+// The normal spring of the reference thesis (Algorithms 5.5 and 5.7), with its own convention.
 //
-//     F = k d^(3/2) + c d^(1/4) d(depth)/dt                                             [N]
-//     d = depth / 2 between two spheres, depth against a wall                           [m]
+//     F = k d^(3/2),  d = depth / 2 between two spheres, depth against a wall            [N]
 //     k = 4/3 E sqrt(R*),  E = 2 (1 + nu) G, not E*                             [N/m^1.5]
-//     c = 2 sqrt(5/6) b sqrt(2 E sqrt(R*) M*),  b = -ln e / sqrt(ln^2 e + pi^2)  [N s/m^1.25]
 //     R* = R/2 and M* = m/2 for equal spheres and for a wall alike
 //
 // A pair of unlike materials takes the softer one's E and nu: the document's particle-wall set is
 // that of its wall.
 // Source: the thesis, Algorithms 5.5 and 5.7, Figs 5.23 and 5.24.
-// Holds:  as a means to reproduce that document; the law of choice is Hertz.
+// Holds:  as a means to reproduce that document; the spring of choice is Hertz.
 #ifndef QN_PHYSICS_NORMAL_THESIS_H
 #define QN_PHYSICS_NORMAL_THESIS_H
 
@@ -34,22 +32,16 @@ static inline double qn_thesis_mass(const qn_sides *s)
 
 static inline void qn_thesis_normal_pair(const qn_sides *s, qn_pair *p)
 {
-    double young = s->young[qn_thesis_soft_side(s)];
-    double root = sqrt(qn_thesis_radius(s));
-    p->normal_stiffness = 4.0 / 3 * young * root;
-    p->normal_damping = 2 * sqrt(5.0 / 6) * qn_damping_ratio(s->restitution)
-                        * sqrt(2 * young * root * qn_thesis_mass(s));
     p->depth_scale = s->wall ? 1 : 0.5;
+    p->normal_stiffness = 4.0 / 3 * s->young[qn_thesis_soft_side(s)] * sqrt(qn_thesis_radius(s));
 }
 
-QN_FN qn_normal qn_thesis_normal(const qn_pair *p, double depth, double rate)
+QN_FN qn_normal qn_thesis_normal(const qn_pair *p, const qn_approach *a)
 {
-    double d = p->depth_scale * depth;
-    double root = sqrt(d);
+    double d = p->depth_scale * a->depth;
     qn_normal f;
-    f.elastic = p->normal_stiffness * root * d;
-    f.damping = p->normal_damping * sqrt(root) * rate;
-    f.energy = 0.4 * f.elastic * depth;
+    f.elastic = p->normal_stiffness * sqrt(d) * d;
+    f.energy = 0.4 * f.elastic * a->depth;
     return f;
 }
 

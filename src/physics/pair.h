@@ -8,6 +8,21 @@
 
 #include "physics/real.h"
 
+// clang-format off
+//    name                unit     meaning
+#define QN_CONTACT_NUMBERS(C)                                                                    \
+    C(friction,           "1",     "Coulomb's coefficient of friction")                          \
+    C(restitution,        "1",     "coefficient of restitution, ]0, 1]")                         \
+    C(stiffness,          "N/m",   "normal linear; 0 to take it from the impact speed")          \
+    C(impact_speed,       "m/s",   "at which normal linear and damping hunt-crossley fit")       \
+    C(tangential_ratio,   "1",     "tangential linear: its stiffness over the normal one")       \
+    C(tangential_damping, "N s/m", "tangential viscous: force per sliding speed")                \
+    C(rolling_friction,   "1",     "torque against rolling over normal force and radius")        \
+    C(rolling_viscosity,  "s/m",   "rolling viscous: rolling friction per rolling speed")        \
+    C(rolling_damping,    "1",     "rolling epsd: damping ratio of its spring")                  \
+    C(rolling_slope,      "N s",   "rolling thesis: force per rate of rolling")
+// clang-format on
+
 /// Both sides of a contact before it happens. A wall has infinite mass, and infinite radius where
 /// it is flat; where it is curved its radius is negative seen from inside (a concave shell).
 typedef struct qn_sides {
@@ -15,27 +30,25 @@ typedef struct qn_sides {
     double radius[2], mass[2];    // m, kg
     bool fixed[2];                //        never moves: counts as infinite mass where the law asks
     bool wall;                    //        side 1 is a wall
-    double friction;              // 1      Coulomb coefficient mu
-    double restitution;           // 1      ]0, 1]
-    double rolling_friction;      // 1      mu_r
-    double stiffness;             // N/m    linear law only
-    double tangential_ratio;      // 1      linear law only: k_t / k_n
-    double dt;                    // s
     bool clip;                    //        no attraction before separation
+    double dt;                    // s
+#define C(name, unit, meaning) double name;
+    QN_CONTACT_NUMBERS(C)
+#undef C
 } qn_sides;
 
-/// Coefficients of one pair of classes. The units of the first four depend on the law; its list row
-/// (laws.h) names them.
+/// Coefficients of one pair of classes. The units of the first four depend on the models; their list
+/// rows (laws.h) name them.
 typedef struct qn_pair {
     double normal_stiffness, normal_damping;
     double tangential_stiffness, tangential_damping;
-    double friction;  // 1
-    double floor;     // N      least normal force: 0, or minus infinity where attraction is let be
-    double rolling_arm;  // m      mu_r R*: rolling torque per newton
-    double
-        rolling_limit;  // kg m2/s  torque per rad/s: a sixteenth of what stops the rolling in a step
-    double depth_scale;  // 1      what the law calls overlap, in true overlaps
-    double dt;           // s
+    double friction;         // 1      Coulomb coefficient mu
+    double floor;            // N      least normal force: 0, or minus infinity where it may pull
+    double depth_scale;      // 1      what the normal model calls overlap, in true overlaps
+    double rolling_arm;      // m      rolling torque per newton
+    double rolling_limit;    // kg m2/s  torque per rad/s: a sixteenth of what stops it in a step
+    double rolling_damping;  //        as the rolling model needs it
+    double dt;               // s
 } qn_pair;
 
 /// 1/R* = 1/R_a + 1/R_b.

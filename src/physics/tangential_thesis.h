@@ -8,7 +8,8 @@
 // d, R*, M*, b and the choice of the material: normal_thesis.h. Nothing is stored: what is not
 // sliding is lost as in a dashpot.
 // Source: the thesis, Algorithms 5.5 and 5.7, Fig 5.23.
-// Holds:  as a means to reproduce that document; a heap does not stay at rest on such friction.
+// Holds:  beside its spring, as a means to reproduce that document; a heap does not stay at rest on
+//         such friction.
 #ifndef QN_PHYSICS_TANGENTIAL_THESIS_H
 #define QN_PHYSICS_TANGENTIAL_THESIS_H
 
@@ -25,31 +26,11 @@ static inline void qn_thesis_tangential_pair(const qn_sides *s, qn_pair *p)
         2 * sqrt(5.0 / 6) * qn_damping_ratio(s->restitution) * sqrt(k * qn_thesis_mass(s));
 }
 
-QN_FN qn_tangential qn_thesis_tangential(const qn_pair *p, double depth, double limit, qn_vec3 held,
-                                         qn_vec3 slip, qn_vec3 slide)
+QN_FN qn_tangential qn_thesis_tangential(const qn_pair *p, const qn_approach *a, double limit)
 {
-    (void)held, (void)slip;
-    double root = sqrt(p->depth_scale * depth);
-    double c = p->tangential_stiffness * root + p->tangential_damping * sqrt(root);
-    double speed2 = qn_dot(slide, slide);
-    double size = c * sqrt(speed2);
-    bool slides = size > limit;
-    double share = slides ? limit / size : 1;
-    double lost = share * c * speed2 * p->dt;
-    qn_tangential t;
-    t.force = qn_scale(-share * c, slide);
-    t.slip = qn_v3(0, 0, 0);
-    t.energy = 0;
-    t.lost_dashpot = slides ? 0 : lost;
-    t.lost_sliding = slides ? lost : 0;
-    return t;
-}
-
-/// Nothing is stored, so nothing can be left over.
-QN_FN double qn_thesis_residue(double energy, double depth, double rate, double dt)
-{
-    (void)energy, (void)depth, (void)rate, (void)dt;
-    return 0;
+    double root = sqrt(p->depth_scale * a->depth);
+    return qn_drag(p->tangential_stiffness * root + p->tangential_damping * sqrt(root), limit, a,
+                   p->dt);
 }
 
 #endif

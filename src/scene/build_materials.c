@@ -117,21 +117,23 @@ static bool read_pair(qn_reader *r, const qn_node *node, qn_contact_def *c)
 }
 
 static const bool law_clips[] = {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) clips,
+#define L(NAME, text, normal, damping, tangential, clips, meaning) clips,
     QN_LAWS(L)
 #undef L
 };
 
 static void fill_contact(qn_reader *r, const qn_contact_keys *k, qn_contact_def *c)
 {
-    c->law = (qn_law)(k->law.set ? k->law.choice : QN_LAW_HERTZ_MINDLIN);
+    qn_law_name name = (qn_law_name)(k->law.set ? k->law.choice : QN_LAW_HERTZ_MINDLIN);
+    c->law = qn_law_named(name);
+    if (k->rolling_friction.number > 0) c->law.rolling = QN_ROLLING_CONSTANT;
     c->friction = k->friction.number;
     c->restitution = k->restitution.number;
     c->rolling_friction = k->rolling_friction.number;
     c->stiffness = k->stiffness.number;
     c->tangential_ratio = k->tangential_ratio.number;
-    c->clip = k->clip.set ? k->clip.choice == 1 : law_clips[c->law];
-    bool linear = c->law == QN_LAW_LINEAR;
+    c->clip = k->clip.set ? k->clip.choice == 1 : law_clips[name];
+    bool linear = name == QN_LAW_LINEAR;
     if (!k->law.set) return;
     if (linear && !k->stiffness.set && !k->stiffness.node)
         qn_complain_at(r, k->law.mark, "%s has the law linear, which needs the key 'stiffness': %s",

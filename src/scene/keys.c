@@ -6,7 +6,7 @@
 #include <string.h>
 
 // The words of the laws are put together from their list.
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text " "
+#define L(NAME, text, normal, damping, tangential, clips, meaning) text " "
 #define K(name, kind, units, range, words, fallback, resume, meaning) \
     {#name, QN_KIND_##kind, QN_IN_##units, range, words, fallback, QN_RESUME_##resume, meaning},
 #define S(NAME, lower, path, title) static const qn_key lower##_keys[] = {QN_##NAME##_KEYS(K)};

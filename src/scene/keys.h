@@ -21,7 +21,7 @@
 typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
 /// The texts of all contact laws, each with a space behind it.
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text " "
+#define L(NAME, text, normal, damping, tangential, clips, meaning) text " "
 #define QN_LAW_WORDS QN_LAWS(L)
 
 // clang-format off

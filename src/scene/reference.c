@@ -79,7 +79,7 @@ static void write_plain(FILE *out, const qn_section *s)
 static void write_laws(FILE *out, bool markdown)
 {
     fprintf(out, markdown ? "\n## Contact laws\n\n" : "\nContact laws\n");
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning)                     \
+#define L(NAME, text, normal, damping, tangential, clips, meaning)                                \
     fprintf(out, markdown ? "- `%s`: %s; clip: %s\n" : "    %-18s %s; clip: %s\n", text, meaning, \
             clips ? "yes" : "no");
     QN_LAWS(L)

@@ -13,7 +13,7 @@ static const char *yes(bool b)
 }
 
 static const char *const law_texts[] = {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) text,
+#define L(NAME, text, normal, damping, tangential, clips, meaning) text,
     QN_LAWS(L)
 #undef L
 };
@@ -84,8 +84,9 @@ static void write_materials(FILE *out, const qn_def *def)
                 "  %s-%s: {law: %s, friction: %.17g, restitution: %.17g, rolling_friction: %.17g, "
                 "clip: %s",
                 def->materials[c->material_a].name, def->materials[c->material_b].name,
-                law_texts[c->law], c->friction, c->restitution, c->rolling_friction, yes(c->clip));
-        if (c->law == QN_LAW_LINEAR)
+                law_texts[c->law.normal], c->friction, c->restitution, c->rolling_friction,
+                yes(c->clip));
+        if (c->law.normal == QN_NORMAL_LINEAR)
             fprintf(out, ", stiffness: %.17g N/m, tangential_ratio: %.17g", c->stiffness,
                     c->tangential_ratio);
         fprintf(out, "}\n");

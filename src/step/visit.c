@@ -6,7 +6,7 @@
 // The contact of a (lower id) and b, places already known to touch. A history that has been moved on
 // by this step's forces is not moved on again: no time passes. The point is seen from a's place within
 // the period, as which image of a pair is listed depends on when the list was built.
-static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *point)
+static qn_reply look(const qn_world *w, int a, int b, qn_memory memory, qn_vec3 *point)
 {
     const qn_place *pa = &w->place[a], *pb = &w->place[b];
     const qn_motion *ma = &w->motion[pa->home], *mb = &w->motion[pb->home];
@@ -19,7 +19,7 @@ static qn_reply look(const qn_world *w, int a, int b, qn_vec3 slip, qn_vec3 *poi
                   mb->spin,
                   ma->spin_kick,
                   mb->spin_kick,
-                  slip};
+                  memory};
     qn_reply r;
     if (w->committed) pair.dt = 0;
     qn_contact_evaluate(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
@@ -43,7 +43,8 @@ static void visit_pairs(const qn_world *w, int which, qn_contact_visit *visit, v
             if (!(x * x + y * y + z * z < nb->touch2[p->klass * w->class_count + q->klass]))
                 continue;
             qn_vec3 point;
-            qn_reply r = look(w, lower ? j : mine, lower ? mine : j, share->slip[k], &point);
+            qn_reply r =
+                look(w, lower ? j : mine, lower ? mine : j, qn_memory_of(share, k), &point);
             int high = lower ? mine : w->place[j].home;
             if (high == which) {
                 r.normal = qn_scale(-1, r.normal);  // as side b sees it
@@ -83,10 +84,11 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
                       {0, 0, turn},
                       m->spin_kick,
                       {0, 0, 0},
-                      {0, 0, 0}};
+                      {{0, 0, 0}, {0, 0, 0}}};
         qn_reply r;
         for (int k = 0; k < listed; k++)
-            if (list[k].index == which && list[k].feature == hits[h].feature) t.slip = list[k].slip;
+            if (list[k].index == which && list[k].feature == hits[h].feature)
+                t.memory = list[k].memory;
         pair.dt = 0;
         qn_contact_evaluate(w->wall_laws[kind], &pair, &reach, &t, &r);
         visit(user, w->id[which], -1 - hits[h].part, &r, hits[h].point);

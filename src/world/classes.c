@@ -30,13 +30,12 @@ static qn_sides sides_begin(const qn_def *def, const qn_contact_def *contact, co
                             int other_material, double dt)
 {
     const qn_material_def *m[2] = {&def->materials[a->material], &def->materials[other_material]};
-    qn_sides s = {.friction = contact->friction,
-                  .restitution = contact->restitution,
-                  .rolling_friction = contact->rolling_friction,
-                  .stiffness = contact->stiffness,
-                  .tangential_ratio = contact->tangential_ratio,
+    qn_sides s = {.clip = contact->clip,
                   .dt = dt,
-                  .clip = contact->clip};
+#define C(name, unit, meaning) .name = contact->name,
+                  QN_CONTACT_NUMBERS(C)
+#undef C
+    };
     for (int i = 0; i < 2; i++) {
         s.young[i] = m[i]->youngs_modulus;
         s.poisson[i] = m[i]->poisson_ratio;
@@ -101,6 +100,7 @@ static qn_status pairs_of_classes(qn_world *w)
             if (!contact) return no_law(&w->def, ca->material, cb->material);
             qn_sides sides = qn_sides_of_classes(&w->def, contact, ca, cb, w->dt);
             w->laws[a * n + b] = contact->law;
+            w->rolls |= qn_law_remembers_rolling(contact->law);
             w->pairs[a * n + b] = qn_law_pair(contact->law, &sides);
         }
     return QN_OK;
@@ -119,6 +119,7 @@ static qn_status pairs_of_walls(qn_world *w)
             if (!contact) return no_law(&w->def, ca->material, surface->material);
             qn_sides sides = qn_sides_of_wall(&w->def, contact, ca, surface, w->dt);
             w->wall_laws[k * n + a] = contact->law;
+            w->rolls |= qn_law_remembers_rolling(contact->law);
             w->wall_pairs[k * n + a] = qn_law_pair(contact->law, &sides);
         }
     return QN_OK;
@@ -139,15 +140,7 @@ qn_status qn_pairs_build(qn_world *w)
 // Elastic force and energy of one contact at the overlap where a run stops.
 static qn_normal at_the_guard(qn_law law, const qn_pair *p, double radius)
 {
-    double depth = QN_OVERLAP_STOP * radius;
-    switch (law) {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    case QN_LAW_##NAME: return qn_##normal##_normal(p, depth, 0);
-        QN_LAWS(L)
-#undef L
-    case QN_LAW_COUNT: break;
-    }
-    return (qn_normal){0, 0, 0};
+    return qn_normal_at(law.normal, p, QN_OVERLAP_STOP * radius);
 }
 
 // The power of two just above x; above next to nothing where x is 0, as in a world without contacts.

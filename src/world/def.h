@@ -39,12 +39,10 @@ typedef struct qn_material_def {
 typedef struct qn_contact_def {
     int material_a, material_b;
     qn_law law;
-    double friction;          // 1      Coulomb coefficient mu
-    double restitution;       // 1      ]0, 1]
-    double rolling_friction;  // 1      constant-torque coefficient mu_r; 0 for none
-    double stiffness;         // N/m    linear law only
-    double tangential_ratio;  // 1      linear law only: k_t / k_n
-    bool clip;                //        no attraction before separation
+    bool clip;  // no attraction before separation
+#define C(name, unit, meaning) double name;
+    QN_CONTACT_NUMBERS(C)  // physics/pair.h
+#undef C
 } qn_contact_def;
 
 /// One leg of a speed schedule: the speed goes linearly from `from` to `to` within `duration`.

@@ -26,7 +26,7 @@ static int64_t gather(const qn_world *w, qn_contact *out, int32_t *index)
                 bool lower;
                 int home = w->place[qn_partner(share, k, &lower)].home, mine = (int)i;
                 int low = lower ? home : mine, high = lower ? mine : home;
-                out[n] = (qn_contact){w->id[low], w->id[high], share->slip[k]};
+                out[n] = (qn_contact){w->id[low], w->id[high], qn_memory_of(share, k)};
                 index[n] = low;
             }
             n++;
@@ -164,13 +164,13 @@ qn_status qn_neighbours_restore(qn_world *w, const qn_contact *contacts, int64_t
     return take_touches(w, touches, touch_count);
 }
 
-bool qn_history_find(const qn_world *w, int low, int64_t high_id, qn_vec3 *slip)
+bool qn_history_find(const qn_world *w, int low, int64_t high_id, qn_memory *memory)
 {
     const qn_sorter *s = w->neighbours->sorter;
     int old = s->from[low];
     for (int64_t k = s->carried_row[old]; k < s->carried_row[old + 1]; k++)
         if (s->carried[k].high == high_id) {
-            *slip = s->carried[k].slip;
+            *memory = s->carried[k].memory;
             return true;
         }
     return false;

@@ -13,8 +13,8 @@
 /// restore has left waiting stays as it is.
 QN_NODISCARD qn_status qn_history_collect(qn_world *world);
 
-/// The collected displacement (m) of a pair, by the new index of its lower id and the higher id; false
+/// What a pair remembers, as collected, by the new index of its lower id and the higher id; false
 /// if the pair was not touching.
-bool qn_history_find(const qn_world *world, int low, int64_t high_id, qn_vec3 *slip);
+bool qn_history_find(const qn_world *world, int low, int64_t high_id, qn_memory *memory);
 
 #endif

@@ -43,7 +43,7 @@ void qn_neighbours_destroy(qn_neighbours *nb)
     if (!nb) return;
     for (int t = 0; nb->shares && t < nb->share_count; t++) {
         qn_share *s = &nb->shares[t];
-        free(s->row), free(s->partner), free(s->touching), free(s->slip);
+        free(s->row), free(s->partner), free(s->touching), free(s->slip), free(s->roll);
         free(s->spill), free(s->foreign), free(s->walls), free(s->walls_next);
         free(s->sums), free(s->workspace);
     }
@@ -65,22 +65,27 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
         bool lower = w->id[q.home] < w->id[i];
         int64_t k = share->pair_count++;
         share->partner[k] = (uint32_t)j << 1 | lower;
-        share->slip[k] = qn_v3(0, 0, 0);
+        qn_memory memory = {{0, 0, 0}, {0, 0, 0}};
         share->touching[k] =
-            qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home], &share->slip[k]);
+            qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home], &memory);
+        qn_memory_set(share, k, memory);
     }
 }
 
 // Room for the pairs one particle can add: all that stand in the cells around it.
-static qn_status room_for(qn_share *share, int64_t more)
+static qn_status room_for(const qn_world *w, qn_share *share, int64_t more)
 {
-    int64_t wanted = share->pair_count + more, room = share->pair_room;
-    if (wanted <= room) return QN_OK;
+    int64_t wanted = share->pair_count + more, had = share->pair_room, room = had;
+    if (wanted <= had) return QN_OK;
     QN_TRY(qn_reserve((void **)&share->partner, &room, wanted, sizeof *share->partner));
-    room = share->pair_room;
+    room = had;
     QN_TRY(qn_reserve((void **)&share->touching, &room, wanted, sizeof *share->touching));
-    room = share->pair_room;
+    room = had;
     QN_TRY(qn_reserve((void **)&share->slip, &room, wanted, sizeof *share->slip));
+    if (w->rolls) {
+        room = had;
+        QN_TRY(qn_reserve((void **)&share->roll, &room, wanted, sizeof *share->roll));
+    }
     share->pair_room = room;
     return QN_OK;
 }
@@ -105,7 +110,7 @@ static qn_status list_particle(const qn_world *w, qn_share *share, int i)
                 int image_to = s->image_start[key + 1] + w->count;
                 if (from <= i) from = i + 1;
                 if (to > from || image_to > image_from)
-                    QN_TRY(room_for(share, (to > from ? to - from : 0) + image_to - image_from));
+                    QN_TRY(room_for(w, share, (to > from ? to - from : 0) + image_to - image_from));
                 list_run(w, share, i, from, to);
                 list_run(w, share, i, image_from, image_to);
             }

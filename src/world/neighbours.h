@@ -25,8 +25,9 @@ typedef struct qn_share {
     int64_t row_room;
     uint32_t *partner;        //    index of the other << 1 | whether it has the lower id; owned
     unsigned char *touching;  //    whether the pair touched at the last step; owned
-    qn_vec3 *slip;            // m  history of a touching pair, acting on the lower id; owned
-    qn_load *spill;           //    loads of particles outside the range, by index; owned
+    qn_vec3 *slip;   // m    history of a touching pair (qn_memory), acting on the lower id; owned
+    qn_vec3 *roll;   // N m  likewise; owned, NULL unless some law of the world needs it
+    qn_load *spill;  //    loads of particles outside the range, by index; owned
     int64_t spill_room;
     int *foreign;  //    indices that `spill` is used for; owned
     int foreign_count;
@@ -76,6 +77,19 @@ QN_NODISCARD qn_status qn_neighbours_wall_contacts(const qn_world *world,
 QN_NODISCARD qn_status qn_neighbours_restore(qn_world *world, const qn_contact *contacts,
                                              int64_t contact_count, const qn_wall_contact *touches,
                                              int64_t touch_count);
+
+/// What pair k of a share remembers.
+static inline qn_memory qn_memory_of(const qn_share *share, int64_t k)
+{
+    qn_memory m = {share->slip[k], share->roll ? share->roll[k] : qn_v3(0, 0, 0)};
+    return m;
+}
+
+static inline void qn_memory_set(qn_share *share, int64_t k, qn_memory memory)
+{
+    share->slip[k] = memory.slip;
+    if (share->roll) share->roll[k] = memory.roll;
+}
 
 /// The other particle of pair k of a share, and whether it has the lower id of the two.
 static inline int qn_partner(const qn_share *share, int64_t k, bool *lower)

@@ -134,11 +134,13 @@ qn_status qn_world_export(const qn_world *w, qn_state *s)
         qsort(touches, (size_t)out.wall_contact_count, sizeof *touches, by_wall);
         for (int64_t k = 0; k < out.contact_count; k++) {
             out.low[k] = contacts[k].low, out.high[k] = contacts[k].high;
-            put(out.slip, k, contacts[k].slip);
+            put(out.slip, k, contacts[k].memory.slip);
+            put(out.roll, k, contacts[k].memory.roll);
         }
         for (int64_t k = 0; k < out.wall_contact_count; k++) {
             out.wall_id[k] = touches[k].id, out.wall_feature[k] = touches[k].feature;
-            put(out.wall_slip, k, touches[k].slip);
+            put(out.wall_slip, k, touches[k].memory.slip);
+            put(out.wall_roll, k, touches[k].memory.roll);
             put(out.wall_normal, k, touches[k].normal);
         }
         *s = out;
@@ -180,10 +182,13 @@ qn_status qn_world_import(qn_world *w, const qn_state *s)
             w->id[k] = s->id[k];
         }
         for (int64_t k = 0; k < s->contact_count; k++)
-            contacts[k] = (qn_contact){s->low[k], s->high[k], take(s->slip, k)};
+            contacts[k] = (qn_contact){s->low[k], s->high[k], {take(s->slip, k), take(s->roll, k)}};
         for (int64_t k = 0; k < s->wall_contact_count; k++)
-            touches[k] = (qn_wall_contact){s->wall_id[k], s->wall_feature[k], 0,
-                                           take(s->wall_slip, k), take(s->wall_normal, k)};
+            touches[k] = (qn_wall_contact){s->wall_id[k],
+                                           s->wall_feature[k],
+                                           0,
+                                           {take(s->wall_slip, k), take(s->wall_roll, k)},
+                                           take(s->wall_normal, k)};
         w->step = s->step;
         w->started = true;
         status =

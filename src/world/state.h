@@ -21,11 +21,13 @@
 #define QN_CONTACT_FIELDS(F)                                                                   \
     F(int64_t, low,        1,    "1",     "id of the particle with the lower id")              \
     F(int64_t, high,       1,    "1",     "id of the other")                                   \
-    F(double,  slip,       3,    "m",     "tangential displacement of the lower against the other")
+    F(double,  slip,       3,    "m",     "tangential displacement of the lower against the other") \
+    F(double,  roll,       3,    "N m",   "moment of the rolling spring on the lower")
 #define QN_WALL_CONTACT_FIELDS(F)                                                              \
     F(int64_t, wall_id,      1,  "1",     "id of the particle")                                \
     F(int32_t, wall_feature, 1,  "1",     "number of the wall feature it touches")             \
     F(double,  wall_slip,    3,  "m",     "tangential displacement against the wall")          \
+    F(double,  wall_roll,    3,  "N m",   "moment of the rolling spring")                      \
     F(double,  wall_normal,  3,  "1",     "from the wall to the particle, at the last step")
 // clang-format on
 

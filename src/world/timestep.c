@@ -9,11 +9,12 @@ double qn_rayleigh_time(const qn_material_def *material, double radius)
            / (0.1631 * material->poisson_ratio + 0.8766);
 }
 
-double qn_hertz_time(double k, double effective_mass, double speed, double *depth)
+double qn_impact_time(double k, double power, double effective_mass, double speed, double *depth)
 {
-    double d = pow(5 * effective_mass * speed * speed / (4 * k), 0.4);
+    double q = power + 1;
+    double d = pow(q * effective_mass * speed * speed / (2 * k), 1 / q);
     if (depth) *depth = d;
-    return 2.94328 * d / speed;
+    return 2 * sqrt(QN_PI) * tgamma(1 + 1 / q) / tgamma(0.5 + 1 / q) * d / speed;
 }
 
 typedef struct speeds {
@@ -97,14 +98,10 @@ static speeds speeds_of(const qn_def *def)
 double qn_contact_time(const qn_contact_def *contact, const qn_sides *sides, double speed,
                        double *depth)
 {
-    double mass = qn_effective_mass(sides);
-    if (contact->law == QN_LAW_LINEAR) {
-        double time = sqrt(mass / sides->stiffness);
-        if (depth) *depth = speed * time;
-        return QN_PI * time;
-    }
+    qn_normal_model normal = contact->law.normal;
     qn_pair pair = qn_law_pair(contact->law, sides);
-    return qn_hertz_time(pair.normal_stiffness * pow(pair.depth_scale, 1.5), mass, speed, depth);
+    double k = qn_normal_at(normal, &pair, 1).elastic;
+    return qn_impact_time(k, qn_normal_power(normal), qn_effective_mass(sides), speed, depth);
 }
 
 // Shortens `t` to the contact of two sides that meet at `speed` under their law.
@@ -114,7 +111,7 @@ static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_si
     double depth, zeta = qn_sides_damping_ratio(sides);
     if (isinf(qn_effective_mass(sides))) return;
     double time = qn_contact_time(contact, sides, speed, &depth);
-    if (contact->law == QN_LAW_LINEAR && zeta > 1e-6)
+    if (contact->law.damping == QN_DAMPING_VISCOUS && zeta > 1e-6)
         time *= -log(sides->restitution) / zeta / QN_PI;
     double smaller = qn_min(fabs(sides->radius[0]), fabs(sides->radius[1]));
     t->impact_speed = qn_max(t->impact_speed, speed);

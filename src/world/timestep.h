@@ -2,13 +2,14 @@
 // The time step: what limits it, and what it should be.
 //
 // Rayleigh time, of a sphere's surface wave:  t_R = pi R sqrt(rho/G) / (0.1631 nu + 0.8766)
-// Contact time, Hertz at impact speed v:      t_c = 2.94328 d/v,  d = (5 m* v^2 / (4 k))^(2/5)
-// Contact time, linear:                       t_c = -ln(e)/zeta sqrt(m*/k), pi sqrt(m*/k) for e = 1
+// Contact time at impact speed v, of a spring k depth^p, with q = p + 1:
+//     t_c = 2 sqrt(pi) Gamma(1 + 1/q) / Gamma(1/2 + 1/q) d/v,  d = (q m* v^2 / (2 k))^(1/q)
+//     (Hertz: 2.94328 d/v; linear: pi sqrt(m*/k)); with a viscous dashpot times -ln(e) / (pi zeta)
 // Automatic step: the smaller of rayleigh_fraction t_R and t_c / 40 over all pairs; a contact then
 // has at least 40 steps, and restitution is right to about 0.1 %.
 //
 // Source: Li, Xu & Thornton (2005), Powder Technol. 160, 219, doi:10.1016/j.powtec.2005.09.002 (t_R);
-//         Hertz (1882), 2.94328 = 2 sqrt(pi) Gamma(7/5)/Gamma(9/10) (t_c).
+//         Hertz (1882) for t_c at p = 3/2; for any p by the same integral of the energy.
 #ifndef QN_WORLD_TIMESTEP_H
 #define QN_WORLD_TIMESTEP_H
 
@@ -29,9 +30,9 @@ typedef struct qn_timestep {
 /// Rayleigh time (s) of a sphere of radius (m) and material.
 double qn_rayleigh_time(const qn_material_def *material, double radius);
 
-/// Duration (s) of a Hertz contact of stiffness k (N/m^1.5) and mass m* (kg) at speed v (m/s), and its
-/// largest overlap (m) through `depth` unless NULL.
-double qn_hertz_time(double k, double effective_mass, double speed, double *depth);
+/// Duration (s) of an undamped contact of force k depth^power (N) and mass m* (kg) at `speed` (m/s), and
+/// its largest overlap (m) through `depth` unless NULL.
+double qn_impact_time(double k, double power, double effective_mass, double speed, double *depth);
 
 /// The same of a contact under any law, as if nothing were lost in it. Not for the sides of walls
 /// without a particle: one side has a mass.

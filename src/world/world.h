@@ -47,7 +47,7 @@ typedef struct qn_load {
 /// A touching pair as it is kept between list rebuilds and on file.
 typedef struct qn_contact {
     int64_t low, high;  //    ids
-    qn_vec3 slip;       // m  acting on the low one
+    qn_memory memory;   //    acting on the low one
 } qn_contact;
 
 /// A particle touching a wall feature, as it is kept between steps and on file.
@@ -55,8 +55,8 @@ typedef struct qn_wall_contact {
     int64_t id;       //    of the particle
     int32_t feature;  //    walls.h
     int32_t index;    //    present index of the particle
-    qn_vec3 slip;     // m
-    qn_vec3 normal;   // 1  from the wall to the particle, at the last step
+    qn_memory memory;
+    qn_vec3 normal;  // 1  from the wall to the particle, at the last step
 } qn_wall_contact;
 
 typedef struct qn_neighbours qn_neighbours;  // world/neighbours.h
@@ -71,6 +71,7 @@ typedef struct qn_world {
     int class_count, surface_count;
     qn_class *classes;        //       owned
     qn_law *laws;             //       owned; [class_a * class_count + class_b]
+    bool rolls;               //       some law's rolling model remembers a moment
     qn_pair *pairs;           //       owned; as laws
     qn_reach *reaches;        //       owned; as laws
     qn_law *wall_laws;        //       owned; [surface * class_count + class]

@@ -260,9 +260,9 @@ static void the_scene_without_a_fault_is_read_as_it_is_meant(void)
     CHECK(d.materials[0].youngs_modulus == 64e6 && d.materials[0].poisson_ratio == 0.23);
     CHECK_NEAR(d.materials[1].youngs_modulus, 2 * 1.23 * 0.31e9, 1);
     CHECK(d.materials[1].density == 2500);
-    CHECK(d.contacts[0].law == QN_LAW_HERTZ_MINDLIN && d.contacts[0].friction == 0.2);
+    CHECK(d.contacts[0].law.tangential == QN_TANGENTIAL_MINDLIN && d.contacts[0].friction == 0.2);
     CHECK(d.contacts[0].clip && d.contacts[0].restitution == 0.66);
-    CHECK(d.contacts[1].law == QN_LAW_LINEAR && d.contacts[1].stiffness == 1000);
+    CHECK(d.contacts[1].law.normal == QN_NORMAL_LINEAR && d.contacts[1].stiffness == 1000);
     CHECK(d.contacts[1].material_a == 1 && d.contacts[1].material_b == 0);
     CHECK_NEAR(d.contacts[1].tangential_ratio, 2.0 / 7, 1e-15);
     CHECK(drum->diameter == 0.3 && drum->length == 0.009 && drum->ends == QN_ENDS_PERIODIC);

@@ -14,7 +14,7 @@
 #include <string.h>
 
 /// Glass (0) and a liner (1), softened, with one law for all pairs.
-static inline qn_def def_of_materials(qn_law law, double friction, double restitution)
+static inline qn_def def_of_materials(qn_law_name law, double friction, double restitution)
 {
     qn_def def = qn_def_default();
     def.gravity = qn_v3(0, -9.81, 0);
@@ -28,7 +28,7 @@ static inline qn_def def_of_materials(qn_law law, double friction, double restit
     for (int i = 0; i < 3; i++)
         def.contacts[i] = (qn_contact_def){.material_a = i / 2,
                                            .material_b = (i + 1) / 2,
-                                           .law = law,
+                                           .law = qn_law_named(law),
                                            .friction = friction,
                                            .restitution = restitution,
                                            .stiffness = 1e4,

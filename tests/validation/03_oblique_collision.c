@@ -25,7 +25,7 @@
 static double contact_time(double young, double poisson, double density, double r, double v)
 {
     double k = 4.0 / 3 * young / (1 - poisson * poisson) * sqrt(r);
-    return qn_hertz_time(k, 4.0 / 3 * QN_PI * r * r * r * density, v, NULL);
+    return qn_impact_time(k, 1.5, 4.0 / 3 * QN_PI * r * r * r * density, v, NULL);
 }
 
 static qn_def one_material(double young, double poisson, double density, double friction, double e)

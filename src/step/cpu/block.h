@@ -5,6 +5,21 @@
 
 #include "step/cpu/kernel.h"
 
+#define JOIN_(a, b) a##_##b
+#define JOIN(a, b) JOIN_(a, b)
+#ifndef QN_ISA
+#define QN_ISA base
+#endif
+
+#define GET(columns, l) qn_v3((columns).x[l], (columns).y[l], (columns).z[l])
+#define PUT(columns, l, v)       \
+    do {                         \
+        qn_vec3 put_ = (v);      \
+        (columns).x[l] = put_.x; \
+        (columns).y[l] = put_.y; \
+        (columns).z[l] = put_.z; \
+    } while (0)
+
 enum { W = QN_LANES };
 
 // Eight contacts of one pair of classes waiting for each other.
@@ -21,13 +36,25 @@ typedef struct columns3 {
     column x, y, z;
 } columns3;
 
-// A block as the law sees it: what goes in and what comes out, lane by lane.
+// A block as the operations of a contact (contact.h) see it, lane by lane: what goes in, what each
+// hands to the next, what comes out.
 typedef struct block {
-    columns3 between, velocity, kick, spin_a, spin_b, spin_kick_a, spin_kick_b, slip;
-    columns3 force, torque_a, torque_b, rolling, normal, next_slip;
-    column depth, energy[QN_TALLY_COUNT];
+    columns3 between, velocity, kick, spin_a, spin_b, spin_kick_a, spin_kick_b, slip, roll;
+
+    columns3 normal, held, advance, slide, held_roll, turn, rolling;  // qn_approach
+    column depth, before, root, fourth, rate, arm_a, arm_b;
+    column elastic, stored, damping, push;
+    columns3 friction, next_slip, torque, next_roll;  // qn_tangential, qn_rolling
+    column stored_tangential, lost_dashpot, lost_sliding, residue;
+
+    columns3 force, torque_a, torque_b;
+    column energy[QN_TALLY_COUNT];
     int64_t load[2][6][W];
 } block;
+
+// Evaluates the eight contacts of a block, one operation after the other.
+void JOIN(qn_block_evaluate, QN_ISA)(qn_law law, const qn_pair *pair, const qn_reach *reach,
+                                     block *b);
 
 // What the kernel needs beside a share's lists: one block, the queues behind it.
 typedef struct workspace {

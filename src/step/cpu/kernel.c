@@ -3,79 +3,12 @@
 // naming it.
 //
 // Touching pairs are queued by their pair of classes, so that a block of eight shares one law and one
-// set of coefficients; a full queue is gathered into columns, evaluated side by side by the law's
-// scalar function (contact.h), and added to the loads as integers.
+// set of coefficients; a full queue is gathered into columns, evaluated side by side (block.c), and
+// added to the loads as integers.
 #include "step/cpu/block.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#define JOIN_(a, b) a##_##b
-#define JOIN(a, b) JOIN_(a, b)
-
-#define GET(columns, l) qn_v3((columns).x[l], (columns).y[l], (columns).z[l])
-#define PUT(columns, l, v)       \
-    do {                         \
-        qn_vec3 put_ = (v);      \
-        (columns).x[l] = put_.x; \
-        (columns).y[l] = put_.y; \
-        (columns).z[l] = put_.z; \
-    } while (0)
-
-// block_NAME: eight contacts under one law, lane_NAME one of them. (A lane is a function of its own
-// so that its structures stay in registers: inside an omp simd loop they would become arrays.)
-// clang-format off
-#define L(NAME, text, normal_model, tangential_model, clips, stiffness, damping_unit, meaning)    \
-    QN_FN void lane_##NAME(const qn_pair *p, const qn_reach *g, block *b, int l)                   \
-    {                                                                                              \
-        qn_touch t;                                                                                \
-        qn_reply r;                                                                                \
-        t.between = GET(b->between, l);                                                            \
-        t.velocity = GET(b->velocity, l);                                                          \
-        t.kick = GET(b->kick, l);                                                                  \
-        t.spin_a = GET(b->spin_a, l);                                                              \
-        t.spin_b = GET(b->spin_b, l);                                                              \
-        t.spin_kick_a = GET(b->spin_kick_a, l);                                                    \
-        t.spin_kick_b = GET(b->spin_kick_b, l);                                                    \
-        t.slip = GET(b->slip, l);                                                                  \
-        qn_contact_##NAME(p, g, &t, &r);                                                           \
-        PUT(b->force, l, qn_madd(r.tangential, r.push, r.normal));                                 \
-        PUT(b->torque_a, l, r.torque_a);                                                           \
-        PUT(b->torque_b, l, r.torque_b);                                                           \
-        PUT(b->rolling, l, r.rolling);                                                             \
-        PUT(b->normal, l, r.normal);                                                               \
-        PUT(b->next_slip, l, r.slip);                                                              \
-        b->depth[l] = r.depth;                                                                     \
-        b->energy[QN_TALLY_NORMAL][l] = r.lost_normal;                                             \
-        b->energy[QN_TALLY_TANGENTIAL][l] = r.lost_tangential;                                     \
-        b->energy[QN_TALLY_SLIDING][l] = r.lost_sliding;                                           \
-        b->energy[QN_TALLY_ROLLING][l] = r.lost_rolling;                                           \
-        b->energy[QN_TALLY_RESIDUE][l] = r.residue;                                                \
-        b->energy[QN_TALLY_ELASTIC_NORMAL][l] = r.stored_normal;                                   \
-        b->energy[QN_TALLY_ELASTIC_TANGENTIAL][l] = r.stored_tangential;                           \
-    }                                                                                              \
-    static __attribute__((noinline)) void block_##NAME(const qn_pair *pair, const qn_reach *reach, \
-                                                       block *b)                                   \
-    {                                                                                              \
-        const qn_pair p = *pair;                                                                   \
-        const qn_reach g = *reach;                                                                 \
-        _Pragma("omp simd")                                                                        \
-        for (int l = 0; l < W; l++) lane_##NAME(&p, &g, b, l);                                     \
-    }
-QN_LAWS(L)
-#undef L
-
-static void evaluate(qn_law law, const qn_pair *pair, const qn_reach *reach, block *b)
-{
-    switch (law) {
-#define L(NAME, text, normal, tangential, clips, stiffness, damping, meaning) \
-    case QN_LAW_##NAME: block_##NAME(pair, reach, b); break;
-        QN_LAWS(L)
-#undef L
-    case QN_LAW_COUNT: break;
-    }
-}
-// clang-format on
 
 // Forces and torques as integers: side 0 feels the force, side 1 its opposite.
 static void quantise(block *b, const qn_class *a, const qn_class *other)
@@ -135,7 +68,9 @@ static void gather_pair(const qn_world *w, const qn_share *share, const queue *q
     PUT(b->spin_b, l, o->spin);
     PUT(b->spin_kick_a, l, a->spin_kick);
     PUT(b->spin_kick_b, l, o->spin_kick);
-    PUT(b->slip, l, share->slip[q->slot[from]]);
+    qn_memory memory = qn_memory_of(share, q->slot[from]);
+    PUT(b->slip, l, memory.slip);
+    PUT(b->roll, l, memory.roll);
 }
 
 // Evaluates the pairs queued for classes (a, b); a lane without a pair repeats the first.
@@ -148,7 +83,7 @@ static void flush_pairs(qn_world *w, qn_share *share, int classes, qn_mode mode)
     const qn_class *cb = &w->classes[classes % w->class_count];
     if (q->count == 0) return;
     for (int l = 0; l < W; l++) gather_pair(w, share, q, l < q->count ? l : 0, l, b);
-    evaluate(w->laws[classes], &w->pairs[classes], &w->reaches[classes], b);
+    JOIN(qn_block_evaluate, QN_ISA)(w->laws[classes], &w->pairs[classes], &w->reaches[classes], b);
     quantise(b, ca, cb);
     for (int l = 0; l < q->count; l++) {
         add_load(load_of(w, share, w->place[q->a[l]].home), b, 0, l);
@@ -156,7 +91,8 @@ static void flush_pairs(qn_world *w, qn_share *share, int classes, qn_mode mode)
     }
     if (mode == QN_COMMIT)
         for (int l = 0; l < q->count; l++) {
-            share->slip[q->slot[l]] = GET(b->next_slip, l);
+            qn_memory_set(share, q->slot[l],
+                          (qn_memory){GET(b->next_slip, l), GET(b->next_roll, l)});
             share->touching[q->slot[l]] = 1;
         }
     tally(w, share->sums, b, q->count, qn_min(ca->radius, cb->radius));
@@ -187,7 +123,7 @@ static void all_pairs(qn_world *w, qn_share *share, qn_mode mode)
                 if (++waiting->count == W) flush_pairs(w, share, classes, mode);
             } else if (share->touching[k] && mode == QN_COMMIT) {
                 share->touching[k] = 0;
-                share->slip[k] = qn_v3(0, 0, 0);
+                qn_memory_set(share, k, (qn_memory){{0, 0, 0}, {0, 0, 0}});
             }
         }
     }
@@ -214,7 +150,9 @@ static void gather_wall(const qn_world *w, const qn_share *share, const qn_pose 
     PUT(b->spin_b, l, qn_v3(0, 0, turn));
     PUT(b->spin_kick_a, l, a->spin_kick);
     PUT(b->spin_kick_b, l, qn_v3(0, 0, 0));
-    PUT(b->slip, l, share->walls_next[q->slot[from]].slip);
+    const qn_memory *memory = &share->walls_next[q->slot[from]].memory;
+    PUT(b->slip, l, memory->slip);
+    PUT(b->roll, l, memory->roll);
 }
 
 static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int kind)
@@ -227,16 +165,16 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
     double per_torque = 1 / w->part_torque_unit;
     if (q->count == 0) return;
     for (int l = 0; l < W; l++) gather_wall(w, share, pose, q, l < q->count ? l : 0, l, b);
-    evaluate(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
+    JOIN(qn_block_evaluate, QN_ISA)(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
     quantise(b, c, NULL);
     for (int l = 0; l < q->count; l++) {
         const qn_wall_hit *hit = &q->hit[l];
         qn_wall_contact *contact = &share->walls_next[q->slot[l]];
         double torque =
-            hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l] + b->rolling.z[l];
+            hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l] + b->torque.z[l];
         add_load(&w->load[q->a[l]], b, 0, l);
         share->sums->torque[hit->part] += (int64_t)(torque * per_torque);
-        contact->slip = GET(b->next_slip, l);
+        contact->memory = (qn_memory){GET(b->next_slip, l), GET(b->next_roll, l)};
         contact->normal = GET(b->normal, l);
     }
     tally(w, share->sums, b, q->count, c->radius);
@@ -247,11 +185,11 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
 // The history of a touch: that of the same feature at the last step, else that of a feature which is
 // no longer touched and whose normal is within 20 degrees, as when rolling over a joint. `taken` marks
 // those already inherited: each history goes on once.
-static qn_vec3 wall_history(const qn_wall_contact *old, int old_count, const qn_wall_hit *hits,
-                            int hit_count, int h, qn_vec3 centre, uint32_t *taken)
+static qn_memory wall_history(const qn_wall_contact *old, int old_count, const qn_wall_hit *hits,
+                              int hit_count, int h, qn_vec3 centre, uint32_t *taken)
 {
     for (int k = 0; k < old_count; k++)
-        if (old[k].feature == hits[h].feature) return old[k].slip;
+        if (old[k].feature == hits[h].feature) return old[k].memory;
     qn_vec3 away = qn_sub(centre, hits[h].point);
     double least = 0.9396926207859084 * qn_norm(away);  // cos 20 degrees
     for (int k = 0; k < old_count; k++) {
@@ -260,9 +198,9 @@ static qn_vec3 wall_history(const qn_wall_contact *old, int old_count, const qn_
             still |= old[k].feature == hits[other].feature;
         if (still || *taken >> k & 1 || !(qn_dot(old[k].normal, away) > least)) continue;
         *taken |= (uint32_t)1 << k;
-        return old[k].slip;
+        return old[k].memory;
     }
-    return qn_v3(0, 0, 0);
+    return (qn_memory){{0, 0, 0}, {0, 0, 0}};
 }
 
 // Queues the touches of one particle. old: its wall contacts of the last step.

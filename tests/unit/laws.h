@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What tests of contact laws share: a ball and a wall, contacts of them, every law that makes sense.
+#ifndef QN_TESTS_LAWS_H
+#define QN_TESTS_LAWS_H
+
+#include "physics/contact.h"
+
+#include <stdio.h>
+
+static const double ball_radius = 0.0015;                                           // m
+static const double ball_mass = 4.0 / 3 * QN_PI * 0.0015 * 0.0015 * 0.0015 * 2500;  // kg
+static const qn_reach wall_reach = {0.0015, 0.0015, 0, 1, 0};
+static const qn_reach pair_reach = {0.003, 0.0015, 0.0015, 0.5, 0.5};
+
+/// Two 3 mm glass balls, softened.
+static inline qn_sides two_balls(double restitution, bool clip)
+{
+    return (qn_sides){.young = {64e6, 64e6},
+                      .poisson = {0.23, 0.23},
+                      .radius = {ball_radius, ball_radius},
+                      .mass = {ball_mass, ball_mass},
+                      .clip = clip,
+                      .dt = 1e-7,
+                      .friction = 0.3,
+                      .restitution = restitution,
+                      .stiffness = 1e4,
+                      .impact_speed = 1,
+                      .tangential_ratio = 2.0 / 7,
+                      .tangential_damping = 0.01,
+                      .rolling_friction = 0.02,
+                      .rolling_viscosity = 0.1,
+                      .rolling_damping = 0.3,
+                      .rolling_slope = 1};
+}
+
+/// A ball against a flat wall of the same.
+static inline qn_sides ball_and_wall(double restitution, bool clip)
+{
+    qn_sides s = two_balls(restitution, clip);
+    s.radius[1] = s.mass[1] = INFINITY;
+    s.fixed[1] = s.wall = true;
+    return s;
+}
+
+/// A ball pressed `depth` (m) into a wall below it, still but for `rate` (m/s) inwards.
+static inline qn_touch pressed(double depth, double rate)
+{
+    qn_touch t = {0};
+    t.between = qn_v3(0, ball_radius - depth, 0);
+    t.velocity = qn_v3(0, -rate, 0);
+    return t;
+}
+
+/// The k-th law that makes sense, in *law; false after the last.
+static inline bool sensible_law(int k, qn_law *law)
+{
+    for (int n = 0; n < QN_NORMAL_COUNT; n++)
+        for (int d = 0; d < QN_DAMPING_COUNT; d++)
+            for (int t = 0; t < QN_TANGENTIAL_COUNT; t++)
+                for (int r = 0; r < QN_ROLLING_COUNT; r++) {
+                    *law = (qn_law){(qn_normal_model)n, (qn_damping_model)d, (qn_tangential_model)t,
+                                    (qn_rolling_model)r};
+                    if (!qn_law_trouble(*law) && k-- == 0) return true;
+                }
+    return false;
+}
+
+/// Names a law on stdout, beside a check that failed.
+static inline void name_law(qn_law law)
+{
+    printf("  normal %d, damping %d, tangential %d, rolling %d\n", law.normal, law.damping,
+           law.tangential, law.rolling);
+}
+
+#endif
