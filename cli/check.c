@@ -11,13 +11,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct {
-    const char *text, *stiffness, *damping;
-} laws[] = {
-#define N(NAME, model, text, power, unit, meaning) {text, unit, unit},
-    QN_NORMALS(N)
+// Units of the coefficients of springs and dampings.
+#define N(NAME, model, text, power, unit, meaning) unit,
+static const char *const stiffness_units[] = {QN_NORMALS(N)};
 #undef N
-};
+#define D(NAME, model, text, with, unit, meaning) unit,
+static const char *const damping_units[] = {QN_DAMPINGS(D)};
+#undef D
+
+/// "hertz + tsuji, mindlin, epsd"
+static const char *law_text(qn_law law, char *text, size_t size)
+{
+    snprintf(text, size, "%s + %s, %s, rolling %s", qn_normal_text(law.normal),
+             qn_damping_text(law.damping), qn_tangential_text(law.tangential),
+             qn_rolling_text(law.rolling));
+    return text;
+}
 
 /// Name of a contact entry, in the order of the scene.
 static void name_pair(const qn_def *def, const qn_contact_def *c, char *name, size_t size)
@@ -38,7 +47,10 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_forecast_pair p = qn_forecast_pair_of(w, c);
     if (!p.is_used) return;
     qn_json_open(j, name, '{');
-    qn_json_text(j, "law", laws[c->law.normal].text);
+    qn_json_text(j, "normal", qn_normal_text(c->law.normal));
+    qn_json_text(j, "damping", qn_damping_text(c->law.damping));
+    qn_json_text(j, "tangential", qn_tangential_text(c->law.tangential));
+    qn_json_text(j, "rolling", qn_rolling_text(c->law.rolling));
     qn_json_text(j, "between", p.is_wall ? "particle and wall" : "particles");
     qn_json_number(j, "effective_young_pa", qn_effective_young(&p.sides));
     qn_json_number(j, "effective_shear_pa", qn_effective_shear(&p.sides));
@@ -48,11 +60,13 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_json_number(j, "normal_damping", p.pair.normal_damping);
     qn_json_number(j, "tangential_stiffness", p.pair.tangential_stiffness);
     qn_json_number(j, "tangential_damping", p.pair.tangential_damping);
-    qn_json_text(j, "normal_stiffness_unit", laws[c->law.normal].stiffness);
-    qn_json_text(j, "normal_damping_unit", laws[c->law.normal].damping);
-    qn_json_number(j, "friction", c->friction);
-    qn_json_number(j, "restitution", c->restitution);
-    qn_json_number(j, "rolling_friction", c->rolling_friction);
+    qn_json_text(j, "normal_stiffness_unit", stiffness_units[c->law.normal]);
+    qn_json_text(j, "normal_damping_unit", damping_units[c->law.damping]);
+    qn_law law = c->law;
+#define C(name, unit, used, with) \
+    if (used) qn_json_number(j, #name, c->name);
+    QN_CONTACT_NUMBERS(C)
+#undef C
     qn_json_number(j, "damping_ratio", damping_ratio(&p));
     qn_json_close(j);
 }
@@ -91,28 +105,41 @@ static qn_status print_json(const qn_world *w, const qn_forecast *f)
     return QN_OK;
 }
 
+/// One number of a pair, where its law uses it; returns what sets the next one apart.
+static const char *print_number(const char *apart, const char *name, double x, const char *unit,
+                                bool used)
+{
+    if (!used) return apart;
+    printf("%s %s %.4g%s%s", apart, name, x, strcmp(unit, "1") ? " " : "",
+           strcmp(unit, "1") ? unit : "");
+    return ",";
+}
+
 static void print_pairs(const qn_world *w)
 {
-    printf("\ncontacts             law             E* [Pa]   R* [m]    m* [kg]   mu     e      "
-           "zeta\n");
+    printf("\ncontacts\n");
     for (int i = 0; i < w->def.contact_count; i++) {
         const qn_contact_def *c = &w->def.contacts[i];
         qn_forecast_pair p = qn_forecast_pair_of(w, c);
-        char name[2 * QN_NAME_MAX];
+        char name[2 * QN_NAME_MAX], text[128];
         name_pair(&w->def, c, name, sizeof name);
         if (!p.is_used) {
             printf("  %-18s never touch\n", name);
             continue;
         }
-        printf("  %-18s %-14s  %-9.4g %-9.4g %-9.4g %-6.4g %-6.4g %.4g\n", name,
-               laws[c->law.normal].text, qn_effective_young(&p.sides),
-               qn_effective_radius(&p.sides), qn_effective_mass(&p.sides), c->friction,
-               c->restitution, damping_ratio(&p));
-        printf("  %-18s normal %.8g %s, %.8g %s\n", p.is_wall ? "  (with a wall)" : "",
-               p.pair.normal_stiffness, laws[c->law.normal].stiffness, p.pair.normal_damping,
-               laws[c->law.normal].damping);
-        printf("  %-18s tangential %.8g, %.8g; rolling friction %.4g\n", "",
-               p.pair.tangential_stiffness, p.pair.tangential_damping, c->rolling_friction);
+        qn_law law = c->law;
+        printf("  %-18s %s%s\n", name, law_text(law, text, sizeof text),
+               p.is_wall ? "; with a wall" : "");
+        printf("  %-18s E* %.4g Pa, R* %.4g m, m* %.4g kg, damping ratio %.4g\n  %-18s", "",
+               qn_effective_young(&p.sides), qn_effective_radius(&p.sides),
+               qn_effective_mass(&p.sides), damping_ratio(&p), "");
+        const char *apart = "";
+#define C(name, unit, used, with) apart = print_number(apart, #name, c->name, unit, used);
+        QN_CONTACT_NUMBERS(C)
+#undef C
+        printf("\n  %-18s normal %.8g %s, %.8g %s; tangential %.8g, %.8g\n", "",
+               p.pair.normal_stiffness, stiffness_units[law.normal], p.pair.normal_damping,
+               damping_units[law.damping], p.pair.tangential_stiffness, p.pair.tangential_damping);
     }
 }
 

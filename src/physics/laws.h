@@ -3,7 +3,7 @@
 //
 // To add a model, write its file and add its row here; the scene reader, `quern help scene`, `quern
 // check`, the inner loops and the generic tests follow. A law is any four that make sense together
-// (qn_law_trouble()); the usual ones have names.
+// (qn_damping_fits, qn_tangential_fits); the usual ones have names.
 #ifndef QN_PHYSICS_LAWS_H
 #define QN_PHYSICS_LAWS_H
 
@@ -27,8 +27,6 @@
 #include "physics/tangential_thesis.h"
 #include "physics/tangential_thornton.h"
 #include "physics/tangential_viscous.h"
-
-#include <stddef.h>
 
 // clang-format off
 //    NAME      model    in scenes   power  unit of k    meaning
@@ -147,21 +145,60 @@ static inline double qn_normal_power(qn_normal_model model)
     return powers[model];
 }
 
-/// Which of its models does not go with a law's spring: "damping", "tangential" or NULL.
-static inline const char *qn_law_trouble(qn_law law)
+// clang-format off
+/// The word of a model in scenes.
+static inline const char *qn_normal_text(qn_normal_model model)
 {
-    static const int damping_with[] = {
-#define D(NAME, model, text, with, unit, meaning) with,
+#define N(NAME, name, text, power, unit, meaning) text,
+    static const char *const texts[] = {QN_NORMALS(N)};
+#undef N
+    return texts[model];
+}
+
+static inline const char *qn_damping_text(qn_damping_model model)
+{
+#define D(NAME, name, text, with, unit, meaning) text,
+    static const char *const texts[] = {QN_DAMPINGS(D)};
+#undef D
+    return texts[model];
+}
+
+static inline const char *qn_tangential_text(qn_tangential_model model)
+{
+#define T(NAME, name, text, with, meaning) text,
+    static const char *const texts[] = {QN_TANGENTIALS(T)};
+#undef T
+    return texts[model];
+}
+
+static inline const char *qn_rolling_text(qn_rolling_model model)
+{
+#define R(NAME, name, text, remembers, meaning) text,
+    static const char *const texts[] = {QN_ROLLINGS(R)};
+#undef R
+    return texts[model];
+}
+// clang-format on
+
+/// Whether a law's damping and its tangential model make sense with its spring.
+static inline bool qn_damping_fits(qn_law law)
+{
+    static const int with[] = {
+#define D(NAME, model, text, springs, unit, meaning) springs,
         QN_DAMPINGS(D)
 #undef D
     };
-    static const int tangential_with[] = {
-#define T(NAME, model, text, with, meaning) with,
+    return with[law.damping] >> law.normal & 1;
+}
+
+static inline bool qn_tangential_fits(qn_law law)
+{
+    static const int with[] = {
+#define T(NAME, model, text, springs, meaning) springs,
         QN_TANGENTIALS(T)
 #undef T
     };
-    if (!(damping_with[law.damping] >> law.normal & 1)) return "damping";
-    return tangential_with[law.tangential] >> law.normal & 1 ? NULL : "tangential";
+    return with[law.tangential] >> law.normal & 1;
 }
 
 /// Whether a law's rolling model keeps a moment from step to step.

@@ -8,19 +8,21 @@
 
 #include "physics/real.h"
 
+// The numbers a scene gives a pair of materials, beside its law. A condition on `law` says whether a law
+// needs it, in words behind; what each means is its row in scene/keys.h and in its model's file.
 // clang-format off
-//    name                unit     meaning
-#define QN_CONTACT_NUMBERS(C)                                                                    \
-    C(friction,           "1",     "Coulomb's coefficient of friction")                          \
-    C(restitution,        "1",     "coefficient of restitution, ]0, 1]")                         \
-    C(stiffness,          "N/m",   "normal linear; 0 to take it from the impact speed")          \
-    C(impact_speed,       "m/s",   "at which normal linear and damping hunt-crossley fit")       \
-    C(tangential_ratio,   "1",     "tangential linear: its stiffness over the normal one")       \
-    C(tangential_damping, "N s/m", "tangential viscous: force per sliding speed")                \
-    C(rolling_friction,   "1",     "torque against rolling over normal force and radius")        \
-    C(rolling_viscosity,  "s/m",   "rolling viscous: rolling friction per rolling speed")        \
-    C(rolling_damping,    "1",     "rolling epsd: damping ratio of its spring")                  \
-    C(rolling_slope,      "N s",   "rolling thesis: force per rate of rolling")
+//    name                unit     goes with
+#define QN_CONTACT_NUMBERS(C)                                                                            \
+    C(friction,           "1",     law.tangential != QN_TANGENTIAL_NONE,                         "a tangential model")          \
+    C(restitution,        "1",     law.damping != QN_DAMPING_NONE,                               "a damping model")             \
+    C(stiffness,          "N/m",   law.normal == QN_NORMAL_LINEAR,                               "normal linear")               \
+    C(impact_speed,       "m/s",   law.normal == QN_NORMAL_LINEAR || law.damping == QN_DAMPING_HUNT_CROSSLEY, "normal linear and damping hunt-crossley") \
+    C(tangential_ratio,   "1",     law.tangential == QN_TANGENTIAL_LINEAR,                       "tangential linear")           \
+    C(tangential_damping, "N s/m", law.tangential == QN_TANGENTIAL_VISCOUS,                      "tangential viscous")          \
+    C(rolling_friction,   "1",     law.rolling != QN_ROLLING_NONE && law.rolling != QN_ROLLING_VISCOUS, "rolling constant, epsd and thesis") \
+    C(rolling_viscosity,  "s/m",   law.rolling == QN_ROLLING_VISCOUS,                            "rolling viscous")             \
+    C(rolling_damping,    "1",     law.rolling == QN_ROLLING_EPSD,                               "rolling epsd")                \
+    C(rolling_slope,      "N s",   law.rolling == QN_ROLLING_THESIS,                             "rolling thesis")
 // clang-format on
 
 /// Both sides of a contact before it happens. A wall has infinite mass, and infinite radius where
@@ -32,7 +34,7 @@ typedef struct qn_sides {
     bool wall;                    //        side 1 is a wall
     bool clip;                    //        no attraction before separation
     double dt;                    // s
-#define C(name, unit, meaning) double name;
+#define C(name, unit, used, with) double name;  // in `unit`
     QN_CONTACT_NUMBERS(C)
 #undef C
 } qn_sides;

@@ -5,8 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The words of the laws are put together from their list.
+// The words of the laws and models are put together from their lists.
 #define L(NAME, text, normal, damping, tangential, clips, meaning) text " "
+#define N(NAME, model, text, power, unit, meaning) text " "
+#define D(NAME, model, text, with, unit, meaning) text " "
+#define T(NAME, model, text, with, meaning) text " "
+#define R(NAME, model, text, remembers, meaning) text " "
 #define K(name, kind, units, range, words, fallback, resume, meaning) \
     {#name, QN_KIND_##kind, QN_IN_##units, range, words, fallback, QN_RESUME_##resume, meaning},
 #define S(NAME, lower, path, title) static const qn_key lower##_keys[] = {QN_##NAME##_KEYS(K)};
@@ -14,6 +18,10 @@ QN_SECTIONS(S)
 #undef S
 #undef K
 #undef L
+#undef N
+#undef D
+#undef T
+#undef R
 
 const qn_section qn_sections[QN_SECTION_COUNT] = {
 #define S(NAME, lower, path, title) \

@@ -20,9 +20,13 @@
 
 typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
-/// The texts of all contact laws, each with a space behind it.
-#define L(NAME, text, normal, damping, tangential, clips, meaning) text " "
+/// The texts of all contact laws and their models, each with a space behind it;
+/// L, N, D, T and R must take the text out of a row.
 #define QN_LAW_WORDS QN_LAWS(L)
+#define QN_NORMAL_WORDS QN_NORMALS(N)
+#define QN_DAMPING_WORDS QN_DAMPINGS(D)
+#define QN_TANGENTIAL_WORDS QN_TANGENTIALS(T)
+#define QN_ROLLING_WORDS QN_ROLLINGS(R)
 
 // clang-format off
 //    NAME       what a person writes
@@ -70,12 +74,21 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(density,            NUMBER,  DENSITY,      "]0, inf[",  "",                 REQUIRED,         FIXED, "density of the solid")
 
 #define QN_CONTACT_KEYS(K)                                                                                                          \
-    K(law,                WORD,    PURE,         "",          QN_LAW_WORDS,       "hertz-mindlin",  FIXED, "contact law")                   \
-    K(friction,           NUMBER,  SHARE,        "[0, inf[",  "",                 REQUIRED,         FIXED, "Coulomb's coefficient of friction") \
-    K(restitution,        NUMBER,  SHARE,        "]0, 1]",    "",                 REQUIRED,         FIXED, "coefficient of restitution, a ratio of speeds") \
-    K(rolling_friction,   NUMBER,  SHARE,        "[0, inf[",  "",                 "0",              FIXED, "torque against rolling, over normal force and effective radius") \
-    K(stiffness,          NUMBER,  STIFFNESS,    "]0, inf[",  "",                 "",               FIXED, "of the normal spring; law linear, and required there") \
-    K(tangential_ratio,   NUMBER,  SHARE,        "]0, inf[",  "",                 "0.2857142857142857", FIXED, "tangential over normal stiffness, 2/7; law linear") \
+    K(law,                WORD,    PURE,         "",          QN_LAW_WORDS,       "hertz-mindlin",  FIXED, "contact law: a set of models by one name") \
+    K(normal,             WORD,    PURE,         "",          QN_NORMAL_WORDS,    "",               FIXED, "spring, instead of the law's")  \
+    K(damping,            WORD,    PURE,         "",          QN_DAMPING_WORDS,   "",               FIXED, "normal damping, instead of the law's") \
+    K(tangential,         WORD,    PURE,         "",          QN_TANGENTIAL_WORDS, "",              FIXED, "friction, instead of the law's") \
+    K(rolling,            WORD,    PURE,         "",          QN_ROLLING_WORDS,   "",               FIXED, "rolling resistance; constant if not written and there is a rolling_friction") \
+    K(friction,           NUMBER,  SHARE,        "[0, inf[",  "",                 "",               FIXED, "Coulomb's coefficient of friction; required, but for tangential none") \
+    K(restitution,        NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "coefficient of restitution, a ratio of speeds; required, but for damping none") \
+    K(stiffness,          NUMBER,  STIFFNESS,    "]0, inf[",  "",                 "",               FIXED, "of a linear spring; this or impact_speed") \
+    K(impact_speed,       NUMBER,  VELOCITY,     "]0, inf[",  "",                 "",               FIXED, "at which a linear spring is as stiff as Hertz's, and at which hunt-crossley gives the restitution") \
+    K(tangential_ratio,   NUMBER,  SHARE,        "]0, inf[",  "",                 "0.2857142857142857", FIXED, "tangential over normal stiffness, 2/7; tangential linear") \
+    K(tangential_damping, NUMBER,  DASHPOT,      "]0, inf[",  "",                 "",               FIXED, "force per sliding speed; tangential viscous") \
+    K(rolling_friction,   NUMBER,  SHARE,        "[0, inf[",  "",                 "",               FIXED, "torque against rolling, over normal force and effective radius; rolling constant, epsd, thesis") \
+    K(rolling_viscosity,  NUMBER,  SLOWNESS,     "]0, inf[",  "",                 "",               FIXED, "the same per rolling speed; rolling viscous") \
+    K(rolling_damping,    NUMBER,  SHARE,        "[0, inf[",  "",                 "0.3",            FIXED, "damping ratio of the rolling spring; rolling epsd") \
+    K(rolling_slope,      NUMBER,  IMPULSE,      "]0, inf[",  "",                 "1 N s",          FIXED, "normal force the rolling resistance takes for each rad/s; rolling thesis") \
     K(clip,               YESNO,   PURE,         "",          "",                 "",               FIXED, "no attraction before separation; the law's own choice if not written")
 
 #define QN_DRUM_KEYS(K)                                                                                                             \

@@ -76,15 +76,42 @@ static void write_plain(FILE *out, const qn_section *s)
     }
 }
 
+static void write_heading(FILE *out, bool markdown, const char *title)
+{
+    fprintf(out, markdown ? "\n## %s\n\n" : "\n%s\n", title);
+}
+
+static void write_word(FILE *out, bool markdown, const char *word, const char *meaning)
+{
+    fprintf(out, markdown ? "- `%s`: %s\n" : "    %-18s %s\n", word, meaning);
+}
+
+// clang-format off
 static void write_laws(FILE *out, bool markdown)
 {
-    fprintf(out, markdown ? "\n## Contact laws\n\n" : "\nContact laws\n");
-#define L(NAME, text, normal, damping, tangential, clips, meaning)                                \
-    fprintf(out, markdown ? "- `%s`: %s; clip: %s\n" : "    %-18s %s; clip: %s\n", text, meaning, \
-            clips ? "yes" : "no");
+    write_heading(out, markdown, "Contact laws");
+#define L(NAME, text, normal, damping, tangential, clips, meaning) \
+    write_word(out, markdown, text, meaning);
     QN_LAWS(L)
 #undef L
+    write_heading(out, markdown, "Normal springs");
+#define N(NAME, model, text, power, unit, meaning) write_word(out, markdown, text, meaning);
+    QN_NORMALS(N)
+#undef N
+    write_heading(out, markdown, "Normal damping");
+#define D(NAME, model, text, with, unit, meaning) write_word(out, markdown, text, meaning);
+    QN_DAMPINGS(D)
+#undef D
+    write_heading(out, markdown, "Tangential models");
+#define T(NAME, model, text, with, meaning) write_word(out, markdown, text, meaning);
+    QN_TANGENTIALS(T)
+#undef T
+    write_heading(out, markdown, "Rolling resistance");
+#define R(NAME, model, text, remembers, meaning) write_word(out, markdown, text, meaning);
+    QN_ROLLINGS(R)
+#undef R
 }
+// clang-format on
 
 qn_status qn_scene_reference(bool markdown, char **text)
 {

@@ -12,12 +12,6 @@ static const char *yes(bool b)
     return b ? "yes" : "no";
 }
 
-static const char *const law_texts[] = {
-#define L(NAME, text, normal, damping, tangential, clips, meaning) text,
-    QN_LAWS(L)
-#undef L
-};
-
 static void write_vector(FILE *out, const char *key, qn_vec3 v, const char *unit)
 {
     fprintf(out, "%s: %.17g %.17g %.17g%s%s", key, v.x, v.y, v.z, *unit ? " " : "", unit);
@@ -27,6 +21,12 @@ static void write_span(FILE *out, const char *key, qn_span s)
 {
     static const char *const units[] = {"s", "rev", "steps"};
     fprintf(out, "%s: %.17g %s", key, s.value, units[s.unit]);
+}
+
+static void write_number(FILE *out, const char *key, double x, const char *unit)
+{
+    bool pure = !strcmp(unit, "1");
+    fprintf(out, ", %s: %.17g%s%s", key, x, pure ? "" : " ", pure ? "" : unit);
 }
 
 /// A text between double quotes.
@@ -80,15 +80,19 @@ static void write_materials(FILE *out, const qn_def *def)
     if (def->contact_count > 0) fprintf(out, "contacts:\n");
     for (int i = 0; i < def->contact_count; i++) {
         const qn_contact_def *c = &def->contacts[i];
-        fprintf(out,
-                "  %s-%s: {law: %s, friction: %.17g, restitution: %.17g, rolling_friction: %.17g, "
-                "clip: %s",
+        qn_law law = c->law;
+        fprintf(out, "  %s-%s: {normal: %s, damping: %s, tangential: %s, rolling: %s, clip: %s",
                 def->materials[c->material_a].name, def->materials[c->material_b].name,
-                law_texts[c->law.normal], c->friction, c->restitution, c->rolling_friction,
-                yes(c->clip));
-        if (c->law.normal == QN_NORMAL_LINEAR)
-            fprintf(out, ", stiffness: %.17g N/m, tangential_ratio: %.17g", c->stiffness,
-                    c->tangential_ratio);
+                qn_normal_text(law.normal), qn_damping_text(law.damping),
+                qn_tangential_text(law.tangential), qn_rolling_text(law.rolling), yes(c->clip));
+// What may be zero is always written, what may not is zero where it was left out.
+#define C(name, unit, used, with)                                                       \
+    if ((used)                                                                          \
+        && (c->name > 0 || &c->name == &c->friction || &c->name == &c->rolling_friction \
+            || &c->name == &c->rolling_damping))                                        \
+        write_number(out, #name, c->name, unit);
+        QN_CONTACT_NUMBERS(C)
+#undef C
         fprintf(out, "}\n");
     }
 }

@@ -21,6 +21,9 @@
     D(DENSITY,      "a density")                    \
     D(PRESSURE,     "a pressure")                   \
     D(STIFFNESS,    "a spring stiffness")           \
+    D(DASHPOT,      "a damping coefficient")        \
+    D(IMPULSE,      "a force over a rate of turning") \
+    D(SLOWNESS,     "one over a speed")             \
     D(ACCELERATION, "an acceleration")              \
     D(VELOCITY,     "a velocity")                   \
     D(SPIN,         "an angular velocity")          \
@@ -58,6 +61,11 @@
     U(STIFFNESS,    "kN/m",      1e3,                     1)    \
     U(STIFFNESS,    "MN/m",      1e6,                     1)    \
     U(STIFFNESS,    "N/mm",      1e3,                     1)    \
+    U(DASHPOT,      "N s/m",     1,                       1)    \
+    U(DASHPOT,      "Ns/m",      1,                       1)    \
+    U(IMPULSE,      "N s",       1,                       1)    \
+    U(IMPULSE,      "Ns",        1,                       1)    \
+    U(SLOWNESS,     "s/m",       1,                       1)    \
     U(ACCELERATION, "m/s2",      1,                       1)    \
     U(ACCELERATION, "mm/s2",     1,                       1e3)  \
     U(VELOCITY,     "m/s",       1,                       1)    \

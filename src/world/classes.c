@@ -32,7 +32,7 @@ static qn_sides sides_begin(const qn_def *def, const qn_contact_def *contact, co
     const qn_material_def *m[2] = {&def->materials[a->material], &def->materials[other_material]};
     qn_sides s = {.clip = contact->clip,
                   .dt = dt,
-#define C(name, unit, meaning) .name = contact->name,
+#define C(name, unit, used, with) .name = contact->name,
                   QN_CONTACT_NUMBERS(C)
 #undef C
     };

@@ -40,7 +40,7 @@ typedef struct qn_contact_def {
     int material_a, material_b;
     qn_law law;
     bool clip;  // no attraction before separation
-#define C(name, unit, meaning) double name;
+#define C(name, unit, used, with) double name;
     QN_CONTACT_NUMBERS(C)  // physics/pair.h
 #undef C
 } qn_contact_def;

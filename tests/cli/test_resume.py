@@ -31,7 +31,7 @@ HARMFUL = [
     ("cells: 1 2 4", "cells: 1 2", 22, ["measure.fields.cells = 1 2,", "with 1 2 4"]),
     ("start: 100 steps", "start: 90 steps", 22, ["measure.fields.start = 90 steps"]),
     (", restitution: 0.7}", ", restitution: 0.7, rolling_friction: 0.01}", 9,
-     ["contacts.ball-ball.rolling_friction = 0.01", "with 0:"]),
+     ["contacts.ball-ball.rolling = constant", "began with none:"]),
 ]
 
 

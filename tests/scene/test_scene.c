@@ -108,15 +108,22 @@ static const struct {
     {"64 MPa", "1e400 Pa", "s.yaml:4:18: error: materials.glass.young = 1e400 Pa is too large for a number"},
     {"64 MPa", "1e305 GPa", "s.yaml:4:18: error: materials.glass.young = 1e305 GPa is too large for a number"},
     {"0.23", "0.7", "s.yaml:4:35: error: materials.glass.poisson = 0.7 must be above -1 and at most 0.5 (Poisson's ratio)"},
-    {"0.66", "0", "s.yaml:8:30: error: contacts.glass-glass.restitution = 0 must be above 0 and at most 1 (coefficient of restitution, a ratio of speeds)"},
-    {"0.66", "1.2", "s.yaml:8:30: error: contacts.glass-glass.restitution = 1.2 must be above 0 and at most 1 (coefficient of restitution, a ratio of speeds)"},
+    {"0.66", "0", "s.yaml:8:30: error: contacts.glass-glass.restitution = 0 must be above 0 and at most 1 (coefficient of restitution, a ratio of speeds; required, but for damping none)"},
+    {"0.66", "1.2", "s.yaml:8:30: error: contacts.glass-glass.restitution = 1.2 must be above 0 and at most 1 (coefficient of restitution, a ratio of speeds; required, but for damping none)"},
     {"  ramp: 0.5 s\n", "  ramp: 0.5 s\n  ramp: 1 s\n", "s.yaml:16:3: error: key 'ramp' appears twice in drum; it is first in line 15"},
     {"  soft-glass:", "  glass: {}\n  soft-glass:", "s.yaml:5:3: error: 'glass' appears twice in materials"},
     {"  soft-glass-glass: {", "  glass-soft-glass: {friction: 1, restitution: 1}\n  soft-glass-glass: {", "s.yaml:10:3: error: the pair 'soft-glass-glass' appears twice in contacts"},
     {"  soft-glass-glass: {restitution: 0.55, law: linear, stiffness: 1 kN/m}\n", "", "s.yaml:6:1: error: contacts lacks 'glass-soft-glass': particles 'balls' and the drum can touch, and no law says what happens then"},
     {"  glass-glass: {restitution: 0.66}\n", "", "s.yaml:6:1: error: contacts lacks 'glass-glass': particles 'balls' and themselves can touch, and no law says what happens then"},
-    {", stiffness: 1 kN/m", "", "s.yaml:9:46: error: contacts.soft-glass-glass has the law linear, which needs the key 'stiffness': of the normal spring; law linear, and required there"},
-    {"0.66}", "0.66, stiffness: 1 N/m}", "s.yaml:8:47: error: contacts.glass-glass.stiffness = 1 N/m means nothing here: only the law linear has it"},
+    {", stiffness: 1 kN/m", "", "s.yaml:9:46: error: contacts.soft-glass-glass has a linear spring, which needs the key 'stiffness' or 'impact_speed'"},
+    {", stiffness: 1 kN/m", ", damping: hunt-crossley", "s.yaml:9:3: error: contacts.soft-glass-glass lacks the key 'impact_speed': at which a linear spring is as stiff as Hertz's, and at which hunt-crossley gives the restitution"},
+    {"0.66}", "0.66, stiffness: 1 N/m}", "s.yaml:8:47: error: contacts.glass-glass.stiffness = 1 N/m means nothing here: it goes with normal linear"},
+    {"0.66}", "0.66, rolling: epsd}", "s.yaml:8:3: error: contacts.glass-glass lacks the key 'rolling_friction': torque against rolling, over normal force and effective radius; rolling constant, epsd, thesis"},
+    {"0.66}", "0.66, rolling: none, rolling_friction: 0.1}", "s.yaml:8:69: error: contacts.glass-glass.rolling_friction = 0.1 means nothing here: it goes with rolling constant, epsd and thesis"},
+    {"0.66}", "0.66, damping: viscous}", "s.yaml:8:45: error: contacts.glass-glass has the normal model hertz, with which the damping model viscous makes no sense; it goes with: linear"},
+    {"0.66}", "0.66, normal: young, damping: none}", "s.yaml:8:44: error: contacts.glass-glass has the normal model young, with which the tangential model mindlin makes no sense; it goes with: hertz"},
+    {"law: linear", "law: linear, tangential: mindlin", "s.yaml:9:66: error: contacts.soft-glass-glass has the normal model linear, with which the tangential model mindlin makes no sense; it goes with: hertz"},
+    {"0.66}", "0.66, tangential: viscous, tangential_damping: 1 N/m}", "s.yaml:8:77: error: contacts.glass-glass.tangential_damping = 1 N/m should be a damping coefficient (N s/m, Ns/m), but N/m is the unit of a spring stiffness"},
     {"law: linear", "law: linaer", "s.yaml:9:46: error: contacts.soft-glass-glass.law = linaer is unknown; did you mean 'linear'? Allowed: hertz-mindlin linear thesis"},
     {"  ramp:", "\tramp:", "s.yaml:15:1: error: a tab cannot be used to indent; use spaces"},
     {"time: {end: 2 rev}", "time: 2 rev", "s.yaml:2:7: error: time = 2 rev is a single value, but should be a map of keys: how long, and in what steps"},
@@ -262,6 +269,7 @@ static void the_scene_without_a_fault_is_read_as_it_is_meant(void)
     CHECK(d.materials[1].density == 2500);
     CHECK(d.contacts[0].law.tangential == QN_TANGENTIAL_MINDLIN && d.contacts[0].friction == 0.2);
     CHECK(d.contacts[0].clip && d.contacts[0].restitution == 0.66);
+    CHECK(d.contacts[0].law.rolling == QN_ROLLING_NONE);
     CHECK(d.contacts[1].law.normal == QN_NORMAL_LINEAR && d.contacts[1].stiffness == 1000);
     CHECK(d.contacts[1].material_a == 1 && d.contacts[1].material_b == 0);
     CHECK_NEAR(d.contacts[1].tangential_ratio, 2.0 / 7, 1e-15);

@@ -60,7 +60,7 @@ static inline bool sensible_law(int k, qn_law *law)
                 for (int r = 0; r < QN_ROLLING_COUNT; r++) {
                     *law = (qn_law){(qn_normal_model)n, (qn_damping_model)d, (qn_tangential_model)t,
                                     (qn_rolling_model)r};
-                    if (!qn_law_trouble(*law) && k-- == 0) return true;
+                    if (qn_damping_fits(*law) && qn_tangential_fits(*law) && k-- == 0) return true;
                 }
     return false;
 }

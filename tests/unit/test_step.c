@@ -68,6 +68,41 @@ static void a_run_resumed_at_any_step_is_the_same_run(void)
     for (int k = 0; k < 6; k++) CHECK(resumed_at(at[k], 1 + k % 3) == hash);
 }
 
+// Hash after 300 steps of a mill with another law, moved to a new world after `before` steps.
+static uint64_t hash_under(qn_law law, int before, int threads)
+{
+    qn_world *world[2];
+    qn_state state;
+    uint64_t hash = 0;
+    for (int k = 0; k < 2; k++) {
+        qn_def def = def_of_mill(400, QN_ENDS_FIXED);
+        for (int i = 0; i < def.contact_count; i++) def.contacts[i].law = law;
+        if (qn_world_create(&def, k ? threads : 2, &world[k]) != QN_OK)
+            printf("  %s\n", qn_error());
+        qn_def_free(&def);
+    }
+    if (qn_step_begin(world[0]) == QN_OK && take_steps(world[0], before) == QN_OK
+        && qn_world_export(world[0], &state) == QN_OK) {
+        if (qn_world_import(world[1], &state) == QN_OK
+            && take_steps(world[1], 300 - before) == QN_OK)
+            hash = hash_of(world[1]);
+        qn_state_free(&state);
+    }
+    qn_world_destroy(world[0]);
+    qn_world_destroy(world[1]);
+    return hash;
+}
+
+static void a_law_with_a_rolling_spring_goes_on_from_its_state_too(void)
+{
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_HUNT_CROSSLEY, QN_TANGENTIAL_THORNTON,
+                  QN_ROLLING_EPSD};
+    uint64_t hash = hash_under(law, 0, 1);
+    CHECK(hash != 0 && hash_under(law, 100, 3) == hash && hash_under(law, 231, 2) == hash);
+    law.rolling = QN_ROLLING_NONE;
+    CHECK(hash_under(law, 0, 1) != hash);
+}
+
 static void an_exported_state_comes_back_unchanged_before_the_first_step(void)
 {
     qn_world *world = mill(2, 0, QN_ENDS_FIXED), *other = mill(1, 0, QN_ENDS_FIXED);
@@ -250,6 +285,7 @@ int main(int argc, char **argv)
     TEST(the_state_is_the_same_for_any_number_of_threads);
     TEST(the_state_does_not_depend_on_the_skin_of_the_list);
     TEST(a_run_resumed_at_any_step_is_the_same_run);
+    TEST(a_law_with_a_rolling_spring_goes_on_from_its_state_too);
     TEST(an_exported_state_comes_back_unchanged_before_the_first_step);
     TEST(probing_leaves_the_state_as_it_is);
     TEST(the_list_finds_every_touching_pair_at_every_step);

@@ -32,7 +32,10 @@ static inline qn_def def_of_materials(qn_law_name law, double friction, double r
                                            .friction = friction,
                                            .restitution = restitution,
                                            .stiffness = 1e4,
+                                           .impact_speed = 1,
                                            .tangential_ratio = 2.0 / 7,
+                                           .rolling_friction = 0.1,
+                                           .rolling_damping = 0.3,
                                            .clip = true};
     return def;
 }
@@ -117,7 +120,7 @@ static inline void turn_at(qn_drum_def *drum, double speed)
 static inline qn_def def_of_mill(int count, qn_ends ends)
 {
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.3, 0.6);
-    def.contacts[0].rolling_friction = 0.01;
+    def.contacts[0].law.rolling = QN_ROLLING_CONSTANT, def.contacts[0].rolling_friction = 0.01;
     qn_group_def *g = add_group(&def, "balls", 0.003);
     g->amount = count;
     g->jitter = 0.5;

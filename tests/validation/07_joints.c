@@ -43,7 +43,10 @@ static void tilt(qn_def *def, bool plane)
 static qn_def thrown(double x, double y, double z, qn_vec3 velocity)
 {
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.3, 0.6);
-    for (int i = 0; i < 3; i++) def.contacts[i].rolling_friction = 0.01;
+    for (int i = 0; i < 3; i++) {
+        def.contacts[i].law.rolling = QN_ROLLING_CONSTANT;
+        def.contacts[i].rolling_friction = 0.01;
+    }
     add_ball(&def, 2 * R, qn_v3(x, y, z), velocity)->spin = qn_v3(150, 300, -80);
     def.step = 1e-5;
     return def;

@@ -41,7 +41,7 @@ static qn_status run(qn_def *def, int steps, qn_motion *after)
 static qn_status two_balls(bool turn, qn_vec3 drift, qn_motion *after)
 {
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.2, 0.6);
-    def.contacts[0].rolling_friction = 0.01;
+    def.contacts[0].law.rolling = QN_ROLLING_CONSTANT, def.contacts[0].rolling_friction = 0.01;
     def.gravity = qn_v3(0, 0, 0);
     def.step = 2e-6;
     qn_group_def *g = add_ball(&def, 0.003, turned(qn_v3(0, 0, 0), turn),
@@ -83,7 +83,10 @@ static void a_collision_is_the_same_in_a_moving_laboratory(void)
 static qn_status falling_ball(bool turn, qn_motion *after)
 {
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.3, 0.6);
-    for (int i = 0; i < 3; i++) def.contacts[i].rolling_friction = 0.01;
+    for (int i = 0; i < 3; i++) {
+        def.contacts[i].law.rolling = QN_ROLLING_CONSTANT;
+        def.contacts[i].rolling_friction = 0.01;
+    }
     def.gravity = turned(qn_v3(0, -9.81, 0), turn);
     def.step = 4e-6;
     add_plane(&def, "floor", qn_v3(0, 0, 0), turned(qn_v3(0, 1, 0), turn));
