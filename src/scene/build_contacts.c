@@ -109,22 +109,23 @@ static void check_models(qn_reader *r, const qn_contact_keys *k, qn_law law)
 }
 
 /// Numbers that the law lacks, and numbers that mean nothing to it.
-static void check_numbers(qn_reader *r, const qn_contact_keys *k, qn_law law)
+static void check_numbers(qn_reader *r, const qn_contact_keys *k, const qn_contact_keys *defaults,
+                          qn_law law)
 {
     bool either = law.normal == QN_NORMAL_LINEAR && law.damping != QN_DAMPING_HUNT_CROSSLEY;
     const struct {
-        const qn_value *value;
+        const qn_value *value, *fallback;
         bool used;
         const char *with;
     } numbers[] = {
-#define C(name, unit, used, with) {&k->name, used, with},
+#define C(name, unit, used, with) {&k->name, &defaults->name, used, with},
         QN_CONTACT_NUMBERS(C)
 #undef C
     };
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         const qn_value *v = numbers[i].value;
         bool optional = v == &k->stiffness || (v == &k->impact_speed && either);
-        if (numbers[i].used && !optional && !v->set && !v->node)
+        if (numbers[i].used && !optional && !v->set && !v->node && !numbers[i].fallback->node)
             qn_complain_at(r, v->mark, "%s lacks the key '%s': %s", v->path, v->key->name,
                            v->key->meaning);
         if (!numbers[i].used && v->node && v->number > 0)
@@ -137,7 +138,8 @@ static void check_numbers(qn_reader *r, const qn_contact_keys *k, qn_law law)
                        v->path);
 }
 
-static void fill_contact(qn_reader *r, const qn_contact_keys *k, qn_contact_def *c)
+static void fill_contact(qn_reader *r, const qn_contact_keys *k, const qn_contact_keys *defaults,
+                         qn_contact_def *c)
 {
     const qn_value *words[] = {&k->law, &k->normal, &k->damping, &k->tangential, &k->rolling};
     qn_law_name name = (qn_law_name)(k->law.set ? k->law.choice : QN_LAW_HERTZ_MINDLIN);
@@ -150,7 +152,7 @@ static void fill_contact(qn_reader *r, const qn_contact_keys *k, qn_contact_def 
         if (words[i]->node && !words[i]->set)
             return;  // a misspelt model: nothing can be said of its numbers
     check_models(r, k, c->law);
-    check_numbers(r, k, c->law);
+    check_numbers(r, k, defaults, c->law);
 }
 
 qn_status qn_build_contacts(qn_reader *r, const qn_scene_keys *scene)
@@ -177,7 +179,7 @@ qn_status qn_build_contacts(qn_reader *r, const qn_scene_keys *scene)
         from.fallback = &defaults;
         qn_contact_keys k;
         qn_section_read(r, QN_SECTION_CONTACT, from, &k);
-        fill_contact(r, &k, c);
+        fill_contact(r, &k, &defaults, c);
         r->def->contact_count++;
     }
     return QN_OK;
