@@ -116,6 +116,7 @@ static void read_numerics(qn_reader *r, const qn_value *numerics)
 {
     qn_numerics_keys k;
     qn_section_read(r, QN_SECTION_NUMERICS, qn_section_under(r, numerics), &k);
+    r->def->scheme = (qn_scheme)(k.scheme.set ? k.scheme.choice : QN_SCHEME_LEAPFROG);
     r->def->skin = k.skin.number;
     r->def->bed_solidity = k.bed_solidity.number;
 }

@@ -11,6 +11,7 @@
 #define D(NAME, model, text, with, unit, meaning) text " "
 #define T(NAME, model, text, with, meaning) text " "
 #define R(NAME, model, text, remembers, meaning) text " "
+#define Z(NAME, name, text, meaning) text " "
 #define K(name, kind, units, range, words, fallback, resume, meaning) \
     {#name, QN_KIND_##kind, QN_IN_##units, range, words, fallback, QN_RESUME_##resume, meaning},
 #define S(NAME, lower, path, title) static const qn_key lower##_keys[] = {QN_##NAME##_KEYS(K)};
@@ -22,6 +23,7 @@ QN_SECTIONS(S)
 #undef D
 #undef T
 #undef R
+#undef Z
 
 const qn_section qn_sections[QN_SECTION_COUNT] = {
 #define S(NAME, lower, path, title) \

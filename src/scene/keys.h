@@ -13,6 +13,7 @@
 #define QN_SCENE_KEYS_H
 
 #include "physics/laws.h"
+#include "physics/scheme.h"
 #include "scene/tree.h"
 #include "scene/units.h"
 
@@ -20,13 +21,14 @@
 
 typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
-/// The texts of all contact laws and their models, each with a space behind it;
-/// L, N, D, T and R must take the text out of a row.
+/// The texts of all contact laws, their models and the schemes, each with a space behind it;
+/// L, N, D, T, R and Z must take the text out of a row.
 #define QN_LAW_WORDS QN_LAWS(L)
 #define QN_NORMAL_WORDS QN_NORMALS(N)
 #define QN_DAMPING_WORDS QN_DAMPINGS(D)
 #define QN_TANGENTIAL_WORDS QN_TANGENTIALS(T)
 #define QN_ROLLING_WORDS QN_ROLLINGS(R)
+#define QN_SCHEME_WORDS QN_SCHEMES(Z)
 
 // clang-format off
 //    NAME       what a person writes
@@ -184,6 +186,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(pictures,           YESNO,   PURE,         "",          "",                 "yes",            FREE,  "draw them at the end of the run")
 
 #define QN_NUMERICS_KEYS(K)                                                                                                         \
+    K(scheme,             WORD,    PURE,         "",          QN_SCHEME_WORDS,    "leapfrog",       FIXED, "time integration")              \
     K(skin,               NUMBER,  SHARE,        "]0, 10]",   "auto",             "auto",           FREE,  "of the pair list, in radii of the smallest sphere") \
     K(bed_solidity,       NUMBER,  SHARE,        "]0, 0.74]", "",                 "0.6",            FIXED, "solid share of a bed at rest, for filling")
 

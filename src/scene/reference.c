@@ -110,6 +110,10 @@ static void write_laws(FILE *out, bool markdown)
 #define R(NAME, model, text, remembers, meaning) write_word(out, markdown, text, meaning);
     QN_ROLLINGS(R)
 #undef R
+    write_heading(out, markdown, "Time integration");
+#define S(NAME, name, text, meaning) write_word(out, markdown, text, meaning);
+    QN_SCHEMES(S)
+#undef S
 }
 // clang-format on
 

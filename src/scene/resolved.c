@@ -12,6 +12,10 @@ static const char *yes(bool b)
     return b ? "yes" : "no";
 }
 
+#define S(NAME, name, text, meaning) text,
+static const char *const schemes[] = {QN_SCHEMES(S)};
+#undef S
+
 static void write_vector(FILE *out, const char *key, qn_vec3 v, const char *unit)
 {
     fprintf(out, "%s: %.17g %.17g %.17g%s%s", key, v.x, v.y, v.z, *unit ? " " : "", unit);
@@ -234,10 +238,11 @@ static void write_tail(FILE *out, const qn_def *def)
         fprintf(out, "  frames: none");
     fprintf(out, "\n  checkpoint: %.17g s\n  keep: %d\n  pictures: %s\n", o->checkpoint_every,
             o->checkpoint_keep, yes(o->pictures));
+    fprintf(out, "numerics: {scheme: %s", schemes[def->scheme]);
     if (def->skin > 0)
-        fprintf(out, "numerics: {skin: %.17g", def->skin);
+        fprintf(out, ", skin: %.17g", def->skin);
     else
-        fprintf(out, "numerics: {skin: auto");
+        fprintf(out, ", skin: auto");
     fprintf(out, ", bed_solidity: %.17g}\n", def->bed_solidity);
 }
 

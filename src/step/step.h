@@ -5,7 +5,7 @@
 //     (what observes looks here: positions, velocities and forces of step n are all at hand)
 //     advance   kick, drift, settle the ledger, n -> n + 1
 //
-// Leapfrog: v(n+1/2) = v(n-1/2) + a(n) dt, x(n+1) = x(n) + v(n+1/2) dt.
+// Leapfrog: v(n+1/2) = v(n-1/2) + a(n) dt, x(n+1) = x(n) + v(n+1/2) dt; other schemes: physics/scheme.h.
 #ifndef QN_STEP_STEP_H
 #define QN_STEP_STEP_H
 

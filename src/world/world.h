@@ -4,7 +4,8 @@
 // Particles are kept in three records of the size the inner loop wants, sorted along a space-filling
 // curve and re-sorted at every list rebuild: an index is good until the next step, an id for ever.
 // Bodies and spheres are one table while every body is a ball. Positions are those of step n;
-// velocities those of step n - 1/2 (leapfrog), with the half kick that predicts step n beside them.
+// velocities those that moved them there, v(n - 1/2) in the leapfrog, with the kick that predicts step
+// n beside them (physics/scheme.h).
 //
 // Forces are summed as integers, each particle class with its own quantum: the sum does not depend
 // on its order, hence not on threads, list or chunks, and a checkpoint needs no list.
@@ -142,12 +143,14 @@ static inline qn_vec3 qn_angular_acceleration(const qn_world *w, int i)
 /// before and the forces of now; valid between qn_step_forces() and qn_step_advance().
 static inline qn_vec3 qn_velocity_now(const qn_world *w, int i)
 {
-    return qn_madd(w->motion[i].velocity, 0.5 * w->dt, qn_acceleration(w, i));
+    qn_kept kept = {w->motion[i].velocity, w->motion[i].kick};
+    return qn_scheme_now(w->def.scheme, kept, qn_acceleration(w, i), w->dt);
 }
 
 static inline qn_vec3 qn_spin_now(const qn_world *w, int i)
 {
-    return qn_madd(w->motion[i].spin, 0.5 * w->dt, qn_angular_acceleration(w, i));
+    qn_kept kept = {w->motion[i].spin, w->motion[i].spin_kick};
+    return qn_scheme_now(w->def.scheme, kept, qn_angular_acceleration(w, i), w->dt);
 }
 
 #endif

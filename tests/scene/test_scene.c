@@ -269,6 +269,7 @@ static void the_scene_without_a_fault_is_read_as_it_is_meant(void)
     CHECK(d.materials[1].density == 2500);
     CHECK(d.contacts[0].law.tangential == QN_TANGENTIAL_MINDLIN && d.contacts[0].friction == 0.2);
     CHECK(d.contacts[0].clip && d.contacts[0].restitution == 0.66);
+    CHECK(d.scheme == QN_SCHEME_LEAPFROG);
     CHECK(d.contacts[0].law.rolling == QN_ROLLING_NONE);
     CHECK(d.contacts[1].law.normal == QN_NORMAL_LINEAR && d.contacts[1].stiffness == 1000);
     CHECK(d.contacts[1].material_a == 1 && d.contacts[1].material_b == 0);

@@ -116,10 +116,10 @@ qn_status qn_step_begin(qn_world *w)
     QN_TRY(qn_step_forces(w, QN_PROBE));
     for (int i = 0; i < w->count; i++) {
         qn_motion *m = &w->motion[i];
-        m->kick = qn_scale(0.5 * w->dt, qn_acceleration(w, i));
-        m->spin_kick = qn_scale(0.5 * w->dt, qn_angular_acceleration(w, i));
-        m->velocity = qn_sub(m->velocity, m->kick);
-        m->spin = qn_sub(m->spin, m->spin_kick);
+        qn_scheme scheme = w->def.scheme;
+        qn_kept v = qn_scheme_begin(scheme, m->velocity, qn_acceleration(w, i), w->dt);
+        qn_kept s = qn_scheme_begin(scheme, m->spin, qn_angular_acceleration(w, i), w->dt);
+        *m = (qn_motion){v.velocity, s.velocity, v.kick, s.kick};
     }
     return QN_OK;
 }
@@ -130,15 +130,15 @@ static bool move(qn_world *w, int first, int last, bool *lost)
     double half_skin2 = 0.25 * w->neighbours->skin * w->neighbours->skin;
     double fast = QN_FAST * w->smallest_radius / w->dt, rounder = 1.5 * 0x1p52 * w->lattice;
     bool spent = false, unsound = false;
+    qn_scheme scheme = w->def.scheme;
     for (int i = first; i < last; i++) {
         qn_motion *m = &w->motion[i];
         qn_place *p = &w->place[i];
         const qn_anchor *anchor = &w->neighbours->anchor[i];
-        qn_vec3 a = qn_acceleration(w, i), turn = qn_angular_acceleration(w, i);
-        m->velocity = qn_madd(m->velocity, w->dt, a);
-        m->spin = qn_madd(m->spin, w->dt, turn);
-        m->kick = qn_scale(0.5 * w->dt, a);
-        m->spin_kick = qn_scale(0.5 * w->dt, turn);
+        qn_kept v = {m->velocity, m->kick}, s = {m->spin, m->spin_kick};
+        v = qn_scheme_advance(scheme, v, qn_acceleration(w, i), w->dt);
+        s = qn_scheme_advance(scheme, s, qn_angular_acceleration(w, i), w->dt);
+        *m = (qn_motion){v.velocity, s.velocity, v.kick, s.kick};
         p->x += w->dt * m->velocity.x;
         p->y += w->dt * m->velocity.y;
         double along = w->dt * m->velocity.z;
