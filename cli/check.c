@@ -22,8 +22,10 @@ static const char *const damping_units[] = {QN_DAMPINGS(D)};
 /// "hertz + tsuji, mindlin, epsd"
 static const char *law_text(qn_law law, char *text, size_t size)
 {
-    snprintf(text, size, "%s + %s, %s, rolling %s", qn_normal_text(law.normal),
-             qn_damping_text(law.damping), qn_tangential_text(law.tangential),
+    bool sticks = law.cohesion != QN_COHESION_NONE;
+    snprintf(text, size, "%s + %s%s%s, %s, rolling %s", qn_normal_text(law.normal),
+             qn_damping_text(law.damping), sticks ? " + " : "",
+             sticks ? qn_cohesion_text(law.cohesion) : "", qn_tangential_text(law.tangential),
              qn_rolling_text(law.rolling));
     return text;
 }
@@ -49,6 +51,7 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_json_open(j, name, '{');
     qn_json_text(j, "normal", qn_normal_text(c->law.normal));
     qn_json_text(j, "damping", qn_damping_text(c->law.damping));
+    qn_json_text(j, "cohesion", qn_cohesion_text(c->law.cohesion));
     qn_json_text(j, "tangential", qn_tangential_text(c->law.tangential));
     qn_json_text(j, "rolling", qn_rolling_text(c->law.rolling));
     qn_json_text(j, "between", p.is_wall ? "particle and wall" : "particles");

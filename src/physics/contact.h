@@ -5,6 +5,7 @@
 //
 //     approach    how the two sides move against each other (approach.h)
 //     normal      spring, then damping, then the clip: the push
+//     cohesion    what pulls against it
 //     tangential  friction, up to mu times the push
 //     rolling     resistance
 //     reply       forces, torques, energies
@@ -21,7 +22,8 @@ typedef struct qn_reply {
     double depth;                // m
     qn_vec3 normal;              // 1
     double elastic, damping;     // N    parts of the normal force, before the clip
-    double push;                 // N    normal force on a along the normal, after the clip
+    double pull;                 // N    of cohesion
+    double push;                 // N    normal force on a along the normal, after clip and pull
     qn_vec3 tangential;          // N    on a
     qn_vec3 torque_a, torque_b;  // N m
     qn_vec3 rolling;             // N m  the part of torque_a that resists rolling; -it in torque_b
@@ -36,23 +38,24 @@ QN_FN double qn_contact_push(const qn_pair *p, double elastic, double damping)
     return qn_max(elastic + damping, p->floor);
 }
 
-/// Forces, torques and energies from what the models gave back.
+/// Forces, torques and energies from what the models gave back. push: N, before the pull.
 QN_FN void qn_contact_reply(const qn_pair *p, const qn_approach *a, qn_normal f, double damping,
-                            double push, qn_tangential s, qn_rolling m, qn_reply *r)
+                            double push, qn_cohesion c, qn_tangential s, qn_rolling m, qn_reply *r)
 {
     qn_vec3 lever = qn_cross(a->normal, s.force);
     r->depth = a->depth;
     r->normal = a->normal;
     r->elastic = f.elastic;
     r->damping = damping;
-    r->push = push;
+    r->pull = c.pull;
+    r->push = push - c.pull;
     r->tangential = s.force;
     r->torque_a = qn_madd(m.torque, -a->arm_a, lever);
     r->torque_b = qn_sub(qn_scale(-a->arm_b, lever), m.torque);
     r->rolling = m.torque;
     r->memory.slip = s.slip;
     r->memory.roll = m.kept;
-    r->stored_normal = f.energy;
+    r->stored_normal = f.energy + c.energy;
     r->stored_tangential = s.energy;
     r->lost_normal = (push - f.elastic) * a->rate * p->dt;
     r->lost_tangential = s.lost_dashpot;
@@ -92,6 +95,16 @@ QN_FN double qn_damping_of(qn_damping_model model, const qn_pair *p, const qn_ap
     }
 }
 
+QN_FN qn_cohesion qn_cohesion_of(qn_cohesion_model model, const qn_pair *p, const qn_approach *a)
+{
+    switch (model) {
+#define C(NAME, name, text, with, meaning) case QN_COHESION_##NAME: return qn_##name##_cohesion(p, a);
+        QN_COHESIONS(C)
+#undef C
+    default: return qn_none_cohesion(p, a);
+    }
+}
+
 QN_FN qn_tangential qn_tangential_of(qn_tangential_model model, const qn_pair *p, const qn_approach *a, double limit)
 {
     switch (model) {
@@ -121,9 +134,10 @@ QN_FN void qn_contact_evaluate(qn_law law, const qn_pair *p, const qn_reach *g, 
     qn_normal f = qn_normal_of(law.normal, p, &a);
     double damping = qn_damping_of(law.damping, p, &a, f.elastic);
     double push = qn_contact_push(p, f.elastic, damping);
+    qn_cohesion c = qn_cohesion_of(law.cohesion, p, &a);
     qn_tangential s = qn_tangential_of(law.tangential, p, &a, p->friction * fabs(push));
     qn_rolling m = qn_rolling_of(law.rolling, p, &a, f.elastic);
-    qn_contact_reply(p, &a, f, damping, push, s, m, r);
+    qn_contact_reply(p, &a, f, damping, push, c, s, m, r);
 }
 
 #endif

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contact laws: a normal spring, a damping, a tangential model and a rolling model each.
+// The contact laws: a normal spring, a damping, a cohesion, a tangential and a rolling model each.
 //
 // To add a model, write its file and add its row here; the scene reader, `quern help scene`, `quern
-// check`, the inner loops and the generic tests follow. A law is any four that make sense together
-// (qn_damping_fits, qn_tangential_fits); the usual ones have names.
+// check`, the inner loops and the generic tests follow. A law is any five that make sense together
+// (qn_..._fits); the usual ones have names.
 #ifndef QN_PHYSICS_LAWS_H
 #define QN_PHYSICS_LAWS_H
 
+#include "physics/cohesion_dmt.h"
+#include "physics/cohesion_none.h"
 #include "physics/damping_hunt_crossley.h"
 #include "physics/damping_none.h"
 #include "physics/damping_thesis.h"
@@ -43,6 +45,11 @@
     D(TSUJI,         tsuji,          "tsuji",          1 << QN_NORMAL_HERTZ,    "N s/m^1.25",   "Tsuji's form, exact restitution") \
     D(HUNT_CROSSLEY, hunt_crossley,  "hunt-crossley",  QN_ANY_NORMAL,           "s/m",          "in proportion to the spring's force; exact restitution at impact_speed") \
     D(THESIS,        thesis,         "thesis",         1 << QN_NORMAL_THESIS,   "N s/m^1.25",   "the reference thesis's dashpot")
+
+//    NAME      model    in scenes   goes with               meaning
+#define QN_COHESIONS(C)                                                                                  \
+    C(NONE,     none,    "none",     QN_ANY_NORMAL,          "none")                                     \
+    C(DMT,      dmt,     "dmt",      1 << QN_NORMAL_HERTZ,   "constant pull of surface_energy while touching (DMT)")
 
 //    NAME       model     in scenes            goes with               meaning
 #define QN_TANGENTIALS(T)                                                                                \
@@ -86,6 +93,13 @@ typedef enum qn_damping_model {
     QN_DAMPING_COUNT
 } qn_damping_model;
 
+typedef enum qn_cohesion_model {
+#define C(NAME, model, text, with, meaning) QN_COHESION_##NAME,
+    QN_COHESIONS(C)
+#undef C
+    QN_COHESION_COUNT
+} qn_cohesion_model;
+
 typedef enum qn_tangential_model {
 #define T(NAME, model, text, with, meaning) QN_TANGENTIAL_##NAME,
     QN_TANGENTIALS(T)
@@ -112,14 +126,16 @@ typedef enum qn_law_name {
 typedef struct qn_law {
     qn_normal_model normal;
     qn_damping_model damping;
+    qn_cohesion_model cohesion;
     qn_tangential_model tangential;
     qn_rolling_model rolling;
 } qn_law;
 
-/// The law of a name, without rolling resistance.
+/// The law of a name, without cohesion and rolling resistance.
 static inline qn_law qn_law_named(qn_law_name name)
 {
-    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_NONE, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_NONE, QN_COHESION_NONE, QN_TANGENTIAL_NONE,
+                  QN_ROLLING_NONE};
     switch (name) {
 #define L(NAME, text, n, d, t, clips, meaning) \
     case QN_LAW_##NAME:                        \
@@ -163,6 +179,14 @@ static inline const char *qn_damping_text(qn_damping_model model)
     return texts[model];
 }
 
+static inline const char *qn_cohesion_text(qn_cohesion_model model)
+{
+#define C(NAME, name, text, with, meaning) text,
+    static const char *const texts[] = {QN_COHESIONS(C)};
+#undef C
+    return texts[model];
+}
+
 static inline const char *qn_tangential_text(qn_tangential_model model)
 {
 #define T(NAME, name, text, with, meaning) text,
@@ -180,7 +204,7 @@ static inline const char *qn_rolling_text(qn_rolling_model model)
 }
 // clang-format on
 
-/// Whether a law's damping and its tangential model make sense with its spring.
+/// Whether a law's damping, its cohesion and its tangential model make sense with its spring.
 static inline bool qn_damping_fits(qn_law law)
 {
     static const int with[] = {
@@ -189,6 +213,16 @@ static inline bool qn_damping_fits(qn_law law)
 #undef D
     };
     return with[law.damping] >> law.normal & 1;
+}
+
+static inline bool qn_cohesion_fits(qn_law law)
+{
+    static const int with[] = {
+#define C(NAME, model, text, springs, meaning) springs,
+        QN_COHESIONS(C)
+#undef C
+    };
+    return with[law.cohesion] >> law.normal & 1;
 }
 
 static inline bool qn_tangential_fits(qn_law law)
@@ -236,6 +270,13 @@ static inline qn_pair qn_law_pair(qn_law law, const qn_sides *sides)
         QN_DAMPINGS(D)
 #undef D
     case QN_DAMPING_COUNT: break;
+    }
+    switch (law.cohesion) {
+#define C(NAME, model, text, with, meaning) \
+    case QN_COHESION_##NAME: qn_##model##_cohesion_pair(s, &p); break;
+        QN_COHESIONS(C)
+#undef C
+    case QN_COHESION_COUNT: break;
     }
     switch (law.tangential) {
 #define T(NAME, model, text, with, meaning) \

@@ -17,6 +17,7 @@
     C(restitution,        "1",     law.damping != QN_DAMPING_NONE,                               "a damping model")             \
     C(stiffness,          "N/m",   law.normal == QN_NORMAL_LINEAR,                               "normal linear")               \
     C(impact_speed,       "m/s",   law.normal == QN_NORMAL_LINEAR || law.damping == QN_DAMPING_HUNT_CROSSLEY, "normal linear and damping hunt-crossley") \
+    C(surface_energy,     "J/m2",  law.cohesion == QN_COHESION_DMT,                              "cohesion dmt")                \
     C(tangential_ratio,   "1",     law.tangential == QN_TANGENTIAL_LINEAR,                       "tangential linear")           \
     C(tangential_damping, "N s/m", law.tangential == QN_TANGENTIAL_VISCOUS,                      "tangential viscous")          \
     C(rolling_friction,   "1",     law.rolling != QN_ROLLING_NONE && law.rolling != QN_ROLLING_VISCOUS, "rolling constant, epsd and thesis") \
@@ -46,6 +47,7 @@ typedef struct qn_pair {
     double tangential_stiffness, tangential_damping;
     double friction;         // 1      Coulomb coefficient mu
     double floor;            // N      least normal force: 0, or minus infinity where it may pull
+    double pull;             // N      as the cohesion model needs it
     double depth_scale;      // 1      what the normal model calls overlap, in true overlaps
     double rolling_arm;      // m      rolling torque per newton
     double rolling_limit;    // kg m2/s  torque per rad/s: a sixteenth of what stops it in a step

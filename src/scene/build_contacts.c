@@ -77,6 +77,7 @@ static qn_law law_of(const qn_contact_keys *k, qn_law_name name)
     if (k->rolling_friction.number > 0) law.rolling = QN_ROLLING_CONSTANT;
     if (k->normal.set) law.normal = (qn_normal_model)k->normal.choice;
     if (k->damping.set) law.damping = (qn_damping_model)k->damping.choice;
+    if (k->cohesion.set) law.cohesion = (qn_cohesion_model)k->cohesion.choice;
     if (k->tangential.set) law.tangential = (qn_tangential_model)k->tangential.choice;
     if (k->rolling.set) law.rolling = (qn_rolling_model)k->rolling.choice;
     return law;
@@ -103,6 +104,9 @@ static void check_models(qn_reader *r, const qn_contact_keys *k, qn_law law)
 {
     if (!qn_damping_fits(law))
         complain_about_model(r, k, &k->damping, qn_damping_text(law.damping), law, qn_damping_fits);
+    if (!qn_cohesion_fits(law))
+        complain_about_model(r, k, &k->cohesion, qn_cohesion_text(law.cohesion), law,
+                             qn_cohesion_fits);
     if (!qn_tangential_fits(law))
         complain_about_model(r, k, &k->tangential, qn_tangential_text(law.tangential), law,
                              qn_tangential_fits);
@@ -141,14 +145,15 @@ static void check_numbers(qn_reader *r, const qn_contact_keys *k, const qn_conta
 static void fill_contact(qn_reader *r, const qn_contact_keys *k, const qn_contact_keys *defaults,
                          qn_contact_def *c)
 {
-    const qn_value *words[] = {&k->law, &k->normal, &k->damping, &k->tangential, &k->rolling};
+    const qn_value *words[] = {&k->law,      &k->normal,     &k->damping,
+                               &k->cohesion, &k->tangential, &k->rolling};
     qn_law_name name = (qn_law_name)(k->law.set ? k->law.choice : QN_LAW_HERTZ_MINDLIN);
     c->law = law_of(k, name);
     c->clip = k->clip.set ? k->clip.choice == 1 : law_clips[name];
 #define C(name, unit, used, with) c->name = k->name.number;
     QN_CONTACT_NUMBERS(C)
 #undef C
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 6; i++)
         if (words[i]->node && !words[i]->set)
             return;  // a misspelt model: nothing can be said of its numbers
     check_models(r, k, c->law);

@@ -9,6 +9,7 @@
 #define L(NAME, text, normal, damping, tangential, clips, meaning) text " "
 #define N(NAME, model, text, power, unit, meaning) text " "
 #define D(NAME, model, text, with, unit, meaning) text " "
+#define C(NAME, model, text, with, meaning) text " "
 #define T(NAME, model, text, with, meaning) text " "
 #define R(NAME, model, text, remembers, meaning) text " "
 #define Z(NAME, name, text, meaning) text " "
@@ -21,6 +22,7 @@ QN_SECTIONS(S)
 #undef L
 #undef N
 #undef D
+#undef C
 #undef T
 #undef R
 #undef Z

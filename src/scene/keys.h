@@ -22,10 +22,11 @@
 typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
 /// The texts of all contact laws, their models and the schemes, each with a space behind it;
-/// L, N, D, T, R and Z must take the text out of a row.
+/// L, N, D, C, T, R and Z must take the text out of a row.
 #define QN_LAW_WORDS QN_LAWS(L)
 #define QN_NORMAL_WORDS QN_NORMALS(N)
 #define QN_DAMPING_WORDS QN_DAMPINGS(D)
+#define QN_COHESION_WORDS QN_COHESIONS(C)
 #define QN_TANGENTIAL_WORDS QN_TANGENTIALS(T)
 #define QN_ROLLING_WORDS QN_ROLLINGS(R)
 #define QN_SCHEME_WORDS QN_SCHEMES(Z)
@@ -79,12 +80,14 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(law,                WORD,    PURE,         "",          QN_LAW_WORDS,       "hertz-mindlin",  FIXED, "contact law: a set of models by one name") \
     K(normal,             WORD,    PURE,         "",          QN_NORMAL_WORDS,    "",               FIXED, "spring, instead of the law's")  \
     K(damping,            WORD,    PURE,         "",          QN_DAMPING_WORDS,   "",               FIXED, "normal damping, instead of the law's") \
+    K(cohesion,           WORD,    PURE,         "",          QN_COHESION_WORDS,  "none",           FIXED, "what pulls touching spheres together") \
     K(tangential,         WORD,    PURE,         "",          QN_TANGENTIAL_WORDS, "",              FIXED, "friction, instead of the law's") \
     K(rolling,            WORD,    PURE,         "",          QN_ROLLING_WORDS,   "",               FIXED, "rolling resistance; constant if not written and there is a rolling_friction") \
     K(friction,           NUMBER,  SHARE,        "[0, inf[",  "",                 "",               FIXED, "Coulomb's coefficient of friction; required, but for tangential none") \
     K(restitution,        NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "coefficient of restitution, a ratio of speeds; required, but for damping none") \
     K(stiffness,          NUMBER,  STIFFNESS,    "]0, inf[",  "",                 "",               FIXED, "of a linear spring; this or impact_speed") \
     K(impact_speed,       NUMBER,  VELOCITY,     "]0, inf[",  "",                 "",               FIXED, "at which a linear spring is as stiff as Hertz's, and at which hunt-crossley gives the restitution") \
+    K(surface_energy,     NUMBER,  SURFACE,      "]0, inf[",  "",                 "",               FIXED, "energy of each of the two surfaces; cohesion dmt") \
     K(tangential_ratio,   NUMBER,  SHARE,        "]0, inf[",  "",                 "0.2857142857142857", FIXED, "tangential over normal stiffness, 2/7; tangential linear") \
     K(tangential_damping, NUMBER,  DASHPOT,      "]0, inf[",  "",                 "",               FIXED, "force per sliding speed; tangential viscous") \
     K(rolling_friction,   NUMBER,  SHARE,        "[0, inf[",  "",                 "",               FIXED, "torque against rolling, over normal force and effective radius; rolling constant, epsd, thesis") \

@@ -102,6 +102,10 @@ static void write_laws(FILE *out, bool markdown)
 #define D(NAME, model, text, with, unit, meaning) write_word(out, markdown, text, meaning);
     QN_DAMPINGS(D)
 #undef D
+    write_heading(out, markdown, "Cohesion");
+#define C(NAME, model, text, with, meaning) write_word(out, markdown, text, meaning);
+    QN_COHESIONS(C)
+#undef C
     write_heading(out, markdown, "Tangential models");
 #define T(NAME, model, text, with, meaning) write_word(out, markdown, text, meaning);
     QN_TANGENTIALS(T)

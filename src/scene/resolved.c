@@ -85,10 +85,13 @@ static void write_materials(FILE *out, const qn_def *def)
     for (int i = 0; i < def->contact_count; i++) {
         const qn_contact_def *c = &def->contacts[i];
         qn_law law = c->law;
-        fprintf(out, "  %s-%s: {normal: %s, damping: %s, tangential: %s, rolling: %s, clip: %s",
+        fprintf(out,
+                "  %s-%s: {normal: %s, damping: %s, cohesion: %s, tangential: %s, rolling: %s, "
+                "clip: %s",
                 def->materials[c->material_a].name, def->materials[c->material_b].name,
                 qn_normal_text(law.normal), qn_damping_text(law.damping),
-                qn_tangential_text(law.tangential), qn_rolling_text(law.rolling), yes(c->clip));
+                qn_cohesion_text(law.cohesion), qn_tangential_text(law.tangential),
+                qn_rolling_text(law.rolling), yes(c->clip));
 // What may be zero is always written, what may not is zero where it was left out.
 #define C(name, unit, used, with)                                                       \
     if ((used)                                                                          \

@@ -24,6 +24,7 @@
     D(DASHPOT,      "a damping coefficient")        \
     D(IMPULSE,      "a force over a rate of turning") \
     D(SLOWNESS,     "one over a speed")             \
+    D(SURFACE,      "a surface energy")             \
     D(ACCELERATION, "an acceleration")              \
     D(VELOCITY,     "a velocity")                   \
     D(SPIN,         "an angular velocity")          \
@@ -66,6 +67,8 @@
     U(IMPULSE,      "N s",       1,                       1)    \
     U(IMPULSE,      "Ns",        1,                       1)    \
     U(SLOWNESS,     "s/m",       1,                       1)    \
+    U(SURFACE,      "J/m2",      1,                       1)    \
+    U(SURFACE,      "mJ/m2",     1,                       1e3)  \
     U(ACCELERATION, "m/s2",      1,                       1)    \
     U(ACCELERATION, "mm/s2",     1,                       1e3)  \
     U(VELOCITY,     "m/s",       1,                       1)    \

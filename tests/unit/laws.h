@@ -25,6 +25,7 @@ static inline qn_sides two_balls(double restitution, bool clip)
                       .restitution = restitution,
                       .stiffness = 1e4,
                       .impact_speed = 1,
+                      .surface_energy = 0.05,
                       .tangential_ratio = 2.0 / 7,
                       .tangential_damping = 0.01,
                       .rolling_friction = 0.02,
@@ -54,22 +55,26 @@ static inline qn_touch pressed(double depth, double rate)
 /// The k-th law that makes sense, in *law; false after the last.
 static inline bool sensible_law(int k, qn_law *law)
 {
-    for (int n = 0; n < QN_NORMAL_COUNT; n++)
-        for (int d = 0; d < QN_DAMPING_COUNT; d++)
-            for (int t = 0; t < QN_TANGENTIAL_COUNT; t++)
-                for (int r = 0; r < QN_ROLLING_COUNT; r++) {
-                    *law = (qn_law){(qn_normal_model)n, (qn_damping_model)d, (qn_tangential_model)t,
-                                    (qn_rolling_model)r};
-                    if (qn_damping_fits(*law) && qn_tangential_fits(*law) && k-- == 0) return true;
-                }
+    const int dampings = QN_DAMPING_COUNT, cohesions = QN_COHESION_COUNT;
+    const int tangentials = QN_TANGENTIAL_COUNT, rollings = QN_ROLLING_COUNT;
+    for (int all = 0; all < QN_NORMAL_COUNT * dampings * cohesions * tangentials * rollings;
+         all++) {
+        int rest = all / rollings, next = rest / tangentials;
+        *law = (qn_law){
+            (qn_normal_model)(next / cohesions / dampings),
+            (qn_damping_model)(next / cohesions % dampings), (qn_cohesion_model)(next % cohesions),
+            (qn_tangential_model)(rest % tangentials), (qn_rolling_model)(all % rollings)};
+        bool fits = qn_damping_fits(*law) && qn_cohesion_fits(*law) && qn_tangential_fits(*law);
+        if (fits && k-- == 0) return true;
+    }
     return false;
 }
 
 /// Names a law on stdout, beside a check that failed.
 static inline void name_law(qn_law law)
 {
-    printf("  normal %d, damping %d, tangential %d, rolling %d\n", law.normal, law.damping,
-           law.tangential, law.rolling);
+    printf("  normal %d, damping %d, cohesion %d, tangential %d, rolling %d\n", law.normal,
+           law.damping, law.cohesion, law.tangential, law.rolling);
 }
 
 #endif

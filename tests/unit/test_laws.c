@@ -49,7 +49,8 @@ static void every_power_is_that_of_its_spring(void)
 {
     for (int n = 0; n < QN_NORMAL_COUNT; n++) {
         qn_sides sides = two_balls(1, false);
-        qn_law law = {(qn_normal_model)n, QN_DAMPING_NONE, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+        qn_law law = {(qn_normal_model)n, QN_DAMPING_NONE, QN_COHESION_NONE, QN_TANGENTIAL_NONE,
+                      QN_ROLLING_NONE};
         qn_pair p = qn_law_pair(law, &sides);
         double one = qn_normal_at(law.normal, &p, 1e-5).elastic;
         double four = qn_normal_at(law.normal, &p, 4e-5).elastic;
@@ -83,8 +84,8 @@ static void every_damping_gives_the_restitution_asked_for(void)
             for (int clip = 0; clip < 2; clip++)
                 for (double e = 0.1; e < 1; e += 0.22)
                     for (double v = 0.05; v < 3; v *= 7) {
-                        qn_law law = {(qn_normal_model)n, (qn_damping_model)d, QN_TANGENTIAL_NONE,
-                                      QN_ROLLING_NONE};
+                        qn_law law = {(qn_normal_model)n, (qn_damping_model)d, QN_COHESION_NONE,
+                                      QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
                         qn_sides sides = ball_and_wall(e, clip);
                         sides.impact_speed = v, sides.young[0] = sides.young[1] = 64e7;
                         if (d == QN_DAMPING_THESIS || !qn_damping_fits(law)) continue;
@@ -108,7 +109,7 @@ static void every_law_keeps_the_tangential_force_within_the_friction_limit(void)
             t.velocity.x = v;
             t.memory.slip = qn_v3(1e-6, 0, 2e-6);
             qn_contact_evaluate(law, &p, &wall_reach, &t, &r);
-            CHECK(qn_norm(r.tangential) <= p.friction * r.push * (1 + 1e-12));
+            CHECK(qn_norm(r.tangential) <= p.friction * (r.push + r.pull) * (1 + 1e-12));
             CHECK(r.tangential.x < 0 || law.tangential == QN_TANGENTIAL_NONE);
             CHECK(r.lost_tangential >= 0 && r.lost_sliding >= 0 && r.lost_rolling >= 0);
         }
@@ -118,8 +119,8 @@ static void every_rolling_model_opposes_the_rolling_and_no_more(void)
 {
     for (int m = 1; m < QN_ROLLING_COUNT; m++)
         for (double w = 1e-3; w < 1e4; w *= 10) {
-            qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_TANGENTIAL_MINDLIN,
-                          (qn_rolling_model)m};
+            qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_COHESION_NONE,
+                          QN_TANGENTIAL_MINDLIN, (qn_rolling_model)m};
             qn_sides sides = ball_and_wall(0.6, true);
             qn_pair p = qn_law_pair(law, &sides);
             qn_touch t = pressed(1e-5, 0);

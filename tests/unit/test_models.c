@@ -4,10 +4,10 @@
 #include "check.h"
 #include "laws.h"
 
-static const qn_law hertz_mindlin = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_TANGENTIAL_MINDLIN,
-                                     QN_ROLLING_NONE};
-static const qn_law thesis = {QN_NORMAL_THESIS, QN_DAMPING_THESIS, QN_TANGENTIAL_THESIS,
-                              QN_ROLLING_NONE};
+static const qn_law hertz_mindlin = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_COHESION_NONE,
+                                     QN_TANGENTIAL_MINDLIN, QN_ROLLING_NONE};
+static const qn_law thesis = {QN_NORMAL_THESIS, QN_DAMPING_THESIS, QN_COHESION_NONE,
+                              QN_TANGENTIAL_THESIS, QN_ROLLING_NONE};
 
 // Depth, force and time of a bounce from a wall, and its ratio of speeds; mass and radius of `s`.
 typedef struct bounce {
@@ -99,7 +99,8 @@ static void a_hertz_collision_is_that_of_theory(void)
 
 static void a_linear_spring_made_for_an_impact_speed_has_hertz_s_largest_force_over_depth(void)
 {
-    qn_law law = {QN_NORMAL_LINEAR, QN_DAMPING_NONE, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+    qn_law law = {QN_NORMAL_LINEAR, QN_DAMPING_NONE, QN_COHESION_NONE, QN_TANGENTIAL_NONE,
+                  QN_ROLLING_NONE};
     qn_sides s = ball_and_wall(1, true);
     s.stiffness = 0, s.impact_speed = 0.7;
     bounce hertz = bounce_of(hertz_mindlin, &s, 0.7, 1e-8);
@@ -108,7 +109,8 @@ static void a_linear_spring_made_for_an_impact_speed_has_hertz_s_largest_force_o
 
 static void hunt_and_crossley_lose_less_in_a_gentler_collision(void)
 {
-    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_HUNT_CROSSLEY, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_HUNT_CROSSLEY, QN_COHESION_NONE, QN_TANGENTIAL_NONE,
+                  QN_ROLLING_NONE};
     qn_sides s = ball_and_wall(0.5, true);
     double x = qn_hunt_crossley_number(0.5), ratio = qn_hunt_crossley_restitution(x / 2);
     s.impact_speed = 1;
@@ -124,7 +126,8 @@ static void hunt_and_crossley_lose_less_in_a_gentler_collision(void)
 static void the_spring_from_first_principles_is_the_document_s(void)
 {
     // Its last line of section 4.1: F = 2 pi (R - r/2)^2 E, r the distance of the centres.
-    qn_law law = {QN_NORMAL_YOUNG, QN_DAMPING_NONE, QN_TANGENTIAL_NONE, QN_ROLLING_NONE};
+    qn_law law = {QN_NORMAL_YOUNG, QN_DAMPING_NONE, QN_COHESION_NONE, QN_TANGENTIAL_NONE,
+                  QN_ROLLING_NONE};
     qn_sides s = two_balls(1, true);
     qn_pair p = qn_law_pair(law, &s);
     double depth = 2e-5, d = ball_radius - (2 * ball_radius - depth) / 2;
@@ -205,7 +208,8 @@ static void mindlin_s_displacement_spring_gains_energy_in_a_cycle_and_thornton_s
 
 static void a_rolling_spring_holds_up_to_its_limit_and_gives_back(void)
 {
-    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_TANGENTIAL_MINDLIN, QN_ROLLING_EPSD};
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_TSUJI, QN_COHESION_NONE, QN_TANGENTIAL_MINDLIN,
+                  QN_ROLLING_EPSD};
     qn_sides s = ball_and_wall(1, true);
     s.rolling_damping = 0;
     qn_pair p = qn_law_pair(law, &s);
@@ -251,6 +255,27 @@ static void rolling_in_proportion_to_speed_is_what_the_document_s_minimum_starts
     CHECK_NEAR(r.rolling.z / (-0.02 * ball_radius * force), 1, 1e-12);
 }
 
+static void a_dmt_contact_pulls_off_at_four_pi_gamma_r(void)
+{
+    qn_law law = hertz_mindlin;
+    qn_sides s = ball_and_wall(1, true);
+    law.cohesion = QN_COHESION_DMT;
+    qn_pair p = qn_law_pair(law, &s);
+    qn_reply r;
+    double pull = 4 * QN_PI * 0.05 * ball_radius;
+    qn_touch t = pressed(1e-15, 0);
+    qn_contact_evaluate(law, &p, &wall_reach, &t, &r);
+    CHECK_NEAR(r.push / -pull, 1, 1e-6);
+    // Left alone it presses in until the spring holds the pull, and friction goes by the spring.
+    t = pressed(pow(pull / p.normal_stiffness, 2.0 / 3), 0);
+    t.velocity.x = 10;
+    qn_contact_evaluate(law, &p, &wall_reach, &t, &r);
+    CHECK_NEAR(r.push / pull, 0, 1e-12);
+    CHECK_NEAR(qn_norm(r.tangential) / (p.friction * pull), 1, 1e-9);
+    // A collision without losses gives back what it took.
+    CHECK_NEAR(bounce_of(law, &s, 0.3, 2e-8).ratio, 1, 1e-4);
+}
+
 int main(int argc, char **argv)
 {
     TEST(the_thesis_law_rebounds_from_a_wall_as_its_figures_show);
@@ -265,5 +290,6 @@ int main(int argc, char **argv)
     TEST(mindlin_s_displacement_spring_gains_energy_in_a_cycle_and_thornton_s_does_not);
     TEST(a_rolling_spring_holds_up_to_its_limit_and_gives_back);
     TEST(rolling_in_proportion_to_speed_is_what_the_document_s_minimum_starts_as);
+    TEST(a_dmt_contact_pulls_off_at_four_pi_gamma_r);
     DONE;
 }

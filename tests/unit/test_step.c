@@ -95,8 +95,8 @@ static uint64_t hash_under(qn_law law, int before, int threads)
 
 static void a_law_with_a_rolling_spring_goes_on_from_its_state_too(void)
 {
-    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_HUNT_CROSSLEY, QN_TANGENTIAL_THORNTON,
-                  QN_ROLLING_EPSD};
+    qn_law law = {QN_NORMAL_HERTZ, QN_DAMPING_HUNT_CROSSLEY, QN_COHESION_NONE,
+                  QN_TANGENTIAL_THORNTON, QN_ROLLING_EPSD};
     uint64_t hash = hash_under(law, 0, 1);
     CHECK(hash != 0 && hash_under(law, 100, 3) == hash && hash_under(law, 231, 2) == hash);
     law.rolling = QN_ROLLING_NONE;

@@ -104,6 +104,18 @@ QN_NORMALS(N)
 QN_DAMPINGS(D)
 #undef D
 
+#define C(NAME, model, text, with, meaning)                                     \
+    QN_FN void lane_cohesion_##model(const qn_pair *p, block *b, int l)         \
+    {                                                                           \
+        qn_approach a = approach_at(b, l);                                      \
+        qn_cohesion c = qn_##model##_cohesion(p, &a);                           \
+        b->pull[l] = c.pull;                                                    \
+        b->stored_pull[l] = c.energy;                                           \
+    }                                                                           \
+    BLOCK(cohesion, model)
+QN_COHESIONS(C)
+#undef C
+
 #define T(NAME, model, text, with, meaning)                                     \
     QN_FN void lane_tangential_##model(const qn_pair *p, block *b, int l)       \
     {                                                                           \
@@ -138,16 +150,18 @@ QN_FN void lane_reply(const qn_pair *p, block *b, int l)
 {
     qn_approach a = approach_at(b, l);
     qn_normal f;
+    qn_cohesion c;
     qn_tangential s;
     qn_rolling m;
     qn_reply r;
     f.elastic = b->elastic[l], f.energy = b->stored[l];
+    c.pull = b->pull[l], c.energy = b->stored_pull[l];
     s.force = GET(b->friction, l), s.slip = GET(b->next_slip, l);
     s.energy = b->stored_tangential[l];
     s.lost_dashpot = b->lost_dashpot[l], s.lost_sliding = b->lost_sliding[l];
     s.residue = b->residue[l];
     m.torque = GET(b->torque, l), m.kept = GET(b->next_roll, l);
-    qn_contact_reply(p, &a, f, b->damping[l], b->push[l], s, m, &r);
+    qn_contact_reply(p, &a, f, b->damping[l], b->push[l], c, s, m, &r);
     PUT(b->force, l, qn_madd(r.tangential, r.push, r.normal));
     PUT(b->torque_a, l, r.torque_a);
     PUT(b->torque_b, l, r.torque_b);
@@ -185,6 +199,12 @@ void JOIN(qn_block_evaluate, QN_ISA)(qn_law law, const qn_pair *pair, const qn_r
         QN_DAMPINGS(D)
 #undef D
     case QN_DAMPING_COUNT: break;
+    }
+    switch (law.cohesion) {
+#define C(NAME, model, text, with, meaning) case QN_COHESION_##NAME: block_cohesion_##model(pair, b); break;
+        QN_COHESIONS(C)
+#undef C
+    case QN_COHESION_COUNT: break;
     }
     switch (law.tangential) {
 #define T(NAME, model, text, with, meaning) case QN_TANGENTIAL_##NAME: block_tangential_##model(pair, b); break;

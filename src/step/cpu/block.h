@@ -43,7 +43,7 @@ typedef struct block {
 
     columns3 normal, held, advance, slide, held_roll, turn, rolling;  // qn_approach
     column depth, before, root, fourth, rate, arm_a, arm_b;
-    column elastic, stored, damping, push;
+    column elastic, stored, damping, push, pull, stored_pull;
     columns3 friction, next_slip, torque, next_roll;  // qn_tangential, qn_rolling
     column stored_tangential, lost_dashpot, lost_sliding, residue;
 
