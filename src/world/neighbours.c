@@ -72,10 +72,11 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
     }
 }
 
-// Room for the pairs one particle can add: all that stand in the cells around it.
+// Room for the pairs one particle can add: all that stand in the cells around it. And one more: the kernel
+// reads vectors of three as four numbers.
 static qn_status room_for(const qn_world *w, qn_share *share, int64_t more)
 {
-    int64_t wanted = share->pair_count + more, had = share->pair_room, room = had;
+    int64_t wanted = share->pair_count + more + 1, had = share->pair_room, room = had;
     if (wanted <= had) return QN_OK;
     QN_TRY(qn_reserve((void **)&share->partner, &room, wanted, sizeof *share->partner));
     room = had;

@@ -56,9 +56,18 @@ typedef struct block {
 void JOIN(qn_block_evaluate, QN_ISA)(qn_law law, const qn_pair *pair, const qn_reach *reach,
                                      block *b);
 
+// A pair found to touch, side a the one with the lower id.
+typedef struct touch {
+    int32_t a, b;
+    int64_t slot;  // pair of the share
+} touch;
+
+enum { TOUCHES = 1024 };  // found before they are worked on
+
 // What the kernel needs beside a share's lists: one block, the queues behind it.
 typedef struct workspace {
     block block;
+    touch touches[TOUCHES + 1];
     queue *pairs;  // [class_a * class_count + class_b]
     queue *walls;  // [surface * class_count + class]
 } workspace;

@@ -6,6 +6,7 @@
 // set of coefficients; a full queue is gathered into columns, evaluated side by side (block.c), and
 // added to the loads as integers.
 #include "step/cpu/block.h"
+#include "step/cpu/lanes.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -56,21 +57,54 @@ static qn_load *load_of(qn_world *w, qn_share *share, int home)
     return home >= share->first && home < share->last ? &w->load[home] : &share->spill[home];
 }
 
-static void gather_pair(const qn_world *w, const qn_share *share, const queue *q, int from, int l,
-                        block *b)
+// Three columns of a block, of one side or of side a less side b.
+static void put_columns(columns3 *to, double (*from)[W])
 {
-    const qn_place *pa = &w->place[q->a[from]], *pb = &w->place[q->b[from]];
-    const qn_motion *a = &w->motion[pa->home], *o = &w->motion[pb->home];
-    PUT(b->between, l, qn_v3(pa->x - pb->x, pa->y - pb->y, pa->z - pb->z));
-    PUT(b->velocity, l, qn_sub(a->velocity, o->velocity));
-    PUT(b->kick, l, qn_sub(a->kick, o->kick));
-    PUT(b->spin_a, l, a->spin);
-    PUT(b->spin_b, l, o->spin);
-    PUT(b->spin_kick_a, l, a->spin_kick);
-    PUT(b->spin_kick_b, l, o->spin_kick);
-    qn_memory memory = qn_memory_of(share, q->slot[from]);
-    PUT(b->slip, l, memory.slip);
-    PUT(b->roll, l, memory.roll);
+    memcpy(to->x, from[0], sizeof to->x);
+    memcpy(to->y, from[1], sizeof to->y);
+    memcpy(to->z, from[2], sizeof to->z);
+}
+
+static void put_difference(columns3 *to, double (*a)[W], double (*b)[W])
+{
+    for (int l = 0; l < W; l++) to->x[l] = a[0][l] - b[0][l];
+    for (int l = 0; l < W; l++) to->y[l] = a[1][l] - b[1][l];
+    for (int l = 0; l < W; l++) to->z[l] = a[2][l] - b[2][l];
+}
+
+// Lays the pairs of a queue out in the columns of a block; a lane without a pair repeats the first.
+static void gather_pairs(const qn_world *w, const qn_share *share, const queue *q, block *b)
+{
+    const double *place[2][W], *motion[2][W], *slip[W];
+    double x[2][4][W], v[2][12][W], kept[4][W];
+    for (int l = 0; l < W; l++) {
+        int from = l < q->count ? l : 0;
+        const qn_place *pa = &w->place[q->a[from]], *pb = &w->place[q->b[from]];
+        place[0][l] = &pa->x, place[1][l] = &pb->x;
+        motion[0][l] = (const double *)&w->motion[pa->home];
+        motion[1][l] = (const double *)&w->motion[pb->home];
+        slip[l] = &share->slip[q->slot[from]].x;
+    }
+    for (int side = 0; side < 2; side++) {
+        qn_turn(place[side], x[side]);
+        for (int part = 0; part < 3; part++) {
+            qn_turn(motion[side], v[side] + 4 * part);
+            for (int l = 0; l < W; l++) motion[side][l] += 4;
+        }
+    }
+    qn_turn(slip, kept);
+    put_difference(&b->between, x[0], x[1]);
+    put_difference(&b->velocity, v[0], v[1]);
+    put_columns(&b->spin_a, v[0] + 3);
+    put_columns(&b->spin_b, v[1] + 3);
+    put_difference(&b->kick, v[0] + 6, v[1] + 6);
+    put_columns(&b->spin_kick_a, v[0] + 9);
+    put_columns(&b->spin_kick_b, v[1] + 9);
+    put_columns(&b->slip, kept);
+    if (!share->roll) return;
+    for (int l = 0; l < W; l++) slip[l] = &share->roll[q->slot[l < q->count ? l : 0]].x;
+    qn_turn(slip, kept);
+    put_columns(&b->roll, kept);
 }
 
 // Evaluates the pairs queued for classes (a, b); a lane without a pair repeats the first.
@@ -82,7 +116,7 @@ static void flush_pairs(qn_world *w, qn_share *share, int classes, qn_mode mode)
     const qn_class *ca = &w->classes[classes / w->class_count];
     const qn_class *cb = &w->classes[classes % w->class_count];
     if (q->count == 0) return;
-    for (int l = 0; l < W; l++) gather_pair(w, share, q, l < q->count ? l : 0, l, b);
+    gather_pairs(w, share, q, b);
     JOIN(qn_block_evaluate, QN_ISA)(w->laws[classes], &w->pairs[classes], &w->reaches[classes], b);
     quantise(b, ca, cb);
     for (int l = 0; l < q->count; l++) {
@@ -100,33 +134,51 @@ static void flush_pairs(qn_world *w, qn_share *share, int classes, qn_mode mode)
     q->count = 0;
 }
 
-// The distance check of the whole list: pairs that touch are queued, those that no longer do forget.
+// Puts the pairs found to touch into their queues.
+static void queue_pairs(qn_world *w, qn_share *share, int count, qn_mode mode)
+{
+    workspace *work = share->workspace;
+    for (int t = 0; t < count; t++) {
+        const touch *found = &work->touches[t];
+        int classes = w->place[found->a].klass * w->class_count + w->place[found->b].klass;
+        queue *waiting = &work->pairs[classes];
+        int c = waiting->count++;
+        waiting->a[c] = found->a, waiting->b[c] = found->b, waiting->slot[c] = found->slot;
+        if (c == W - 1) flush_pairs(w, share, classes, mode);
+    }
+}
+
+static void part(qn_share *share, int64_t k)
+{
+    share->touching[k] = 0;
+    qn_memory_set(share, k, (qn_memory){{0, 0, 0}, {0, 0, 0}});
+}
+
+// The distance check of the whole list: pairs that touch are noted without a branch, as whether one does
+// can't be foretold, and worked on some hundred at a time; those that no longer do forget.
 static void all_pairs(qn_world *w, qn_share *share, qn_mode mode)
 {
     workspace *work = share->workspace;
+    const qn_place *place = w->place;
     const double *touch2 = w->neighbours->touch2;
-    int n = w->class_count;
+    int n = w->class_count, found = 0;
     for (int i = share->first; i < share->last; i++) {
-        const qn_place p = w->place[i];
+        const qn_place p = place[i];
+        const double *reach2 = touch2 + (int64_t)p.klass * n;
         int64_t end = share->row[i - share->first + 1];
         for (int64_t k = share->row[i - share->first]; k < end; k++) {
             bool lower;
             int j = qn_partner(share, k, &lower);
-            const qn_place q = w->place[j];
-            double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
-            int classes = lower ? q.klass * n + p.klass : p.klass * n + q.klass;
-            if (x * x + y * y + z * z < touch2[classes]) {
-                queue *waiting = &work->pairs[classes];
-                waiting->a[waiting->count] = lower ? j : i;
-                waiting->b[waiting->count] = lower ? i : j;
-                waiting->slot[waiting->count] = k;
-                if (++waiting->count == W) flush_pairs(w, share, classes, mode);
-            } else if (share->touching[k] && mode == QN_COMMIT) {
-                share->touching[k] = 0;
-                qn_memory_set(share, k, (qn_memory){{0, 0, 0}, {0, 0, 0}});
-            }
+            const qn_place *q = &place[j];
+            double x = p.x - q->x, y = p.y - q->y, z = p.z - q->z;
+            bool touches = x * x + y * y + z * z < reach2[q->klass];
+            work->touches[found] = (touch){lower ? j : i, lower ? i : j, k};
+            found += touches;
+            if (share->touching[k] > touches && mode == QN_COMMIT) part(share, k);
+            if (found == TOUCHES) queue_pairs(w, share, found, mode), found = 0;
         }
     }
+    queue_pairs(w, share, found, mode);
     for (int c = 0; c < n * n; c++) flush_pairs(w, share, c, mode);
 }
 
