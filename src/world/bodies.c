@@ -3,6 +3,8 @@
 #include "base/random.h"
 #include "world/classes.h"
 
+#include <stdio.h>
+
 enum { STREAM_TURN = 3 };
 
 static qn_vec3 inverse(qn_vec3 v)
@@ -136,6 +138,18 @@ qn_status qn_bodies_check(const qn_world *w)
             w->def.groups[c->group].name, x.x, x.y, x.z, c->radius, c->radius - clear);
     }
     return QN_OK;
+}
+
+const char *qn_particle_name(const qn_world *w, int i, char name[QN_PARTICLE_NAME])
+{
+    int body = qn_body_of(w, i);
+    long long id = w->id[i], of = body < 0 ? id : w->bodies[body].id;
+    if (body < 0)
+        snprintf(name, QN_PARTICLE_NAME, "particle %lld", id);
+    else
+        snprintf(name, QN_PARTICLE_NAME, "particle %lld (sphere %lld of clump %lld)", id,
+                 id - of + 1, of);
+    return name;
 }
 
 // Which body each sphere belongs to, from the bodies' indices of their spheres.

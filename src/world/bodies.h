@@ -19,6 +19,10 @@ void qn_bodies_add(qn_world *world, const qn_seedling *seedling, int number, qn_
 /// QN_INPUT where a sphere of a clump that can move stands in a wall.
 QN_NODISCARD qn_status qn_bodies_check(const qn_world *world);
 
+/// How messages name a particle: "particle 7", or "particle 7 (sphere 3 of clump 5)". Returns `name`.
+enum { QN_PARTICLE_NAME = 96 };
+const char *qn_particle_name(const qn_world *world, int index, char name[QN_PARTICLE_NAME]);
+
 /// Renews the indices after particles have been wrapped into the period and sorted; `to` has the new
 /// index of each old one.
 void qn_bodies_follow(qn_world *world, const int32_t *to);

@@ -205,11 +205,13 @@ static qn_status check_all(qn_world *w)
     const qn_place *p = &w->place[which];
     const qn_motion *m = &w->motion[which];
     bool finite = isfinite(p->x) && isfinite(p->y) && isfinite(p->z);
+    char name[QN_PARTICLE_NAME];
     return qn_fail(QN_UNSTABLE,
-                   "particle %lld %s at (%g, %g, %g) m with speed %g m/s, at %g s (step %lld); "
+                   "%s %s at (%g, %g, %g) m with speed %g m/s, at %g s (step %lld); "
                    "take a smaller time step (now %g s) or stiffer materials",
-                   (long long)lost, finite ? "has left through a wall" : "is not a number", p->x,
-                   p->y, p->z, qn_norm(m->velocity), qn_world_time(w), (long long)w->step, w->dt);
+                   qn_particle_name(w, which, name),
+                   finite ? "has left through a wall" : "is not a number", p->x, p->y, p->z,
+                   qn_norm(m->velocity), qn_world_time(w), (long long)w->step, w->dt);
 }
 
 qn_status qn_neighbours_rebuild(qn_world *w)

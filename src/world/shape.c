@@ -72,6 +72,12 @@ static qn_status check(const double *centres, const double *radii, int count)
     return QN_OK;
 }
 
+// To 12 digits after the point, so that nothing hangs on the last bit of the C library's functions.
+static double snapped(double x)
+{
+    return rint(x * 0x1p40) * 0x1p-40;
+}
+
 // A ball, in closed form, so that it is the same to the bit as one without a shape.
 static void one_sphere(qn_shape *s)
 {
@@ -94,13 +100,16 @@ static void lay_out(qn_shape *s, const double *centres, const double *radii, qn_
     if (!s->is_round) {
         find_axes(j, v);
         s->moment = qn_scale(scale, qn_v3(j[0][0], j[1][1], j[2][2]));
-        s->axes = quat_of_matrix(v);
+        qn_quat q = quat_of_matrix(v);
+        s->axes = qn_quat_unit(qn_quat_of(snapped(q.w), snapped(q.x), snapped(q.y), snapped(q.z)));
     }
+    s->moment = qn_v3(snapped(s->moment.x), snapped(s->moment.y), snapped(s->moment.z));
     for (int i = 0; i < s->count; i++) {
         qn_vec3 from = qn_v3(centres[3 * i], centres[3 * i + 1], centres[3 * i + 2]);
         qn_vec3 at = qn_turned_back(s->axes, qn_scale(1 / unit, qn_sub(from, solid->centre)));
+        at = qn_v3(snapped(at.x), snapped(at.y), snapped(at.z));
         s->centre[3 * i] = at.x, s->centre[3 * i + 1] = at.y, s->centre[3 * i + 2] = at.z;
-        s->radius[i] = radii[i] / unit;
+        s->radius[i] = snapped(radii[i] / unit);
         s->arm = qn_max(s->arm, qn_norm(at));
         s->bound = qn_max(s->bound, qn_norm(at) + s->radius[i]);
         spheres += s->radius[i] * s->radius[i] * s->radius[i];
@@ -120,7 +129,7 @@ qn_status qn_shape_of(const double *centres, const double *radii, int count, qn_
     else {
         QN_TRY(qn_solid_of(centres, radii, count, &solid));
         *radius = cbrt(0.75 / QN_PI * solid.volume);
-        s.error = solid.error;
+        s.error = solid.error + 1e-12;
         lay_out(&s, centres, radii, &solid, *radius);
     }
     *shape = s;

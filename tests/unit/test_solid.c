@@ -157,11 +157,11 @@ static void a_tetrahedron_is_round_and_a_dumbbell_is_not(void)
         CHECK(s.is_round && s.error < 1e-11 && s.moment.x > 0.4);
     }
     // Apart, at spacing 2.2: four balls on levers of 2.2 sqrt(3/8), each axis seeing 2/3 of the square.
-    CHECK_NEAR(s.moment.x * radius * radius, 0.4 + 2.0 / 3 * 2.2 * 2.2 * 3 / 8, 1e-12);
+    CHECK_NEAR(s.moment.x * radius * radius, 0.4 + 2.0 / 3 * 2.2 * 2.2 * 3 / 8, 1e-11);
     const double pair[] = {0, 0, 0, 1, 1, 0};
     CHECK_STATUS(qn_shape_of(pair, radii, 2, &s, &radius));
     CHECK(!s.is_round);
-    CHECK_NEAR(s.overlap * 2 * ball(1), ball(radius), 1e-13);
+    CHECK_NEAR(s.overlap * 2 * ball(1), ball(radius), 1e-10);
 }
 
 static void the_axes_lead_back_to_the_spheres_as_given(void)
@@ -174,9 +174,9 @@ static void the_axes_lead_back_to_the_spheres_as_given(void)
     for (int i = 0; i < 6; i++) {
         qn_vec3 at = qn_v3(s.centre[3 * i], s.centre[3 * i + 1], s.centre[3 * i + 2]);
         at = qn_madd(solid.centre, radius, qn_turned(s.axes, at));
-        CHECK_NEAR(at.x, LUMP[3 * i], 1e-12);
-        CHECK_NEAR(at.y, LUMP[3 * i + 1], 1e-12);
-        CHECK_NEAR(at.z, LUMP[3 * i + 2], 1e-12);
+        CHECK_NEAR(at.x, LUMP[3 * i], 1e-11);
+        CHECK_NEAR(at.y, LUMP[3 * i + 1], 1e-11);
+        CHECK_NEAR(at.z, LUMP[3 * i + 2], 1e-11);
     }
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
