@@ -4,6 +4,7 @@
 #include "worlds.h"
 
 #include "measure/energy.h"
+#include "measure/fields.h"
 
 // A lump with three different moments, given along its axes: the longest along x, then y.
 static int add_asymmetric(qn_def *def)
@@ -196,6 +197,7 @@ static qn_world *top(qn_vec3 spin, double dt)
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.3, 0.6);
     def.gravity = qn_v3(0, 0, 0);
     def.materials[0].youngs_modulus = 1e4;
+    add_plane(&def, "far", qn_v3(0, -1, 0), qn_v3(0, 1, 0));
     qn_group_def *g = add_ball(&def, 0.01, qn_v3(0, 0, 0), qn_v3(0.1, 0.2, 0.3));
     g->shape = add_asymmetric(&def);
     g->spin = spin;
@@ -437,6 +439,51 @@ static void a_fixed_clump_stays_and_one_in_a_wall_is_refused(void)
     CHECK(strstr(qn_error(), "deep in a wall"));
 }
 
+// ---- Measures ------------------------------------------------------------------------------------
+
+static void a_clumps_energy_is_that_of_its_body(void)
+{
+    const qn_vec3 spin = {60, 30, 80}, v = {0.1, 0.2, 0.3};
+    qn_world *w = top(spin, 1e-6);
+    qn_balance b;
+    CHECK_STATUS(qn_step_forces(w, QN_COMMIT));
+    CHECK_STATUS(qn_balance_now(w, &b));
+    const qn_grain *g = w->grains;
+    double rotation = g->moments.x * spin.x * spin.x + g->moments.y * spin.y * spin.y
+                      + g->moments.z * spin.z * spin.z;
+    CHECK_NEAR(b.kinetic_translation, 0.5 * g->mass * qn_dot(v, v), 1e-12 * b.kinetic_translation);
+    CHECK_NEAR(b.kinetic_rotation, 0.5 * rotation, 1e-12 * rotation);
+    CHECK_NEAR(b.max_speed, qn_norm(v), 1e-12);
+    CHECK_NEAR(b.mean_speed, qn_norm(v), 1e-12);
+    CHECK_NEAR(g->mass, 2500 * QN_PI / 6 * 1e-6, 1e-15);
+    CHECK(qn_world_particles(w) == 1 && w->count == 4);
+    qn_world_destroy(w);
+}
+
+static void fields_count_clumps_once_and_all_of_their_volume(void)
+{
+    qn_world *w = mill(5, 60, 2, 0, QN_ENDS_PERIODIC);
+    qn_field f;
+    CHECK_STATUS(take_steps(w, 300));
+    CHECK_STATUS(qn_step_forces(w, QN_PROBE));
+    CHECK_STATUS(qn_field_create(w, 2, 1, &f));
+    CHECK_STATUS(qn_field_sample(&f, w));
+    int64_t count = 0, centred = 0, solid = 0, along = 0;
+    for (int64_t k = 0; k < qn_field_voxel_count(&f); k++) {
+        count += f.sum[QN_FIELD_count][k];
+        centred += f.sum[QN_FIELD_centre_volume][k];
+        solid += f.sum[QN_FIELD_solid_volume][k];
+        along += f.sum[QN_FIELD_velocity_sum_x][k];
+    }
+    double volume = 60 * QN_PI / 6 * 27e-9, velocity = 0;
+    for (int k = 0; k < 60; k++) velocity += qn_body_velocity_now(w, &w->bodies[k]).x;
+    CHECK(count == 60 && centred == solid);
+    CHECK_NEAR((double)solid * f.volume_unit, volume, 1e-5 * volume);
+    CHECK_NEAR((double)along * QN_SPEED_QUANTUM, velocity, 60 * QN_SPEED_QUANTUM);
+    qn_field_free(&f);
+    qn_world_destroy(w);
+}
+
 int main(int argc, char **argv)
 {
     TEST(a_clump_of_one_sphere_moves_as_a_ball_to_the_bit);
@@ -452,5 +499,7 @@ int main(int argc, char **argv)
     TEST(spheres_of_a_turning_clump_know_their_motion);
     TEST(a_leaning_dumbbell_rebounds_as_impulses_say);
     TEST(a_fixed_clump_stays_and_one_in_a_wall_is_refused);
+    TEST(a_clumps_energy_is_that_of_its_body);
+    TEST(fields_count_clumps_once_and_all_of_their_volume);
     DONE;
 }
