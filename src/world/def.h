@@ -142,7 +142,7 @@ typedef struct qn_def {
     qn_span end;               //      of the run, from its start
     double step;               // s    0 for automatic
     double rayleigh_fraction;  // 1    of the automatic step
-    qn_scheme scheme;         //      of the time integration
+    qn_scheme scheme;          //      of the time integration
     double skin;          // 1    Verlet skin in radii of the smallest particle; 0 for automatic
     double bed_solidity;  // 1    solid share of a bed at rest, for `filling`
     int material_count, contact_count, plane_count, mesh_count, group_count, shape_count;
