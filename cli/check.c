@@ -74,12 +74,50 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     qn_json_close(j);
 }
 
+/// Whether a class is the one a clump of some size goes by.
+static bool is_first(const qn_world *w, int klass)
+{
+    int grain = w->classes[klass].grain;
+    for (int i = 0; i < klass; i++)
+        if (w->classes[i].grain == grain) return false;
+    return grain >= 0;
+}
+
+static void put_clump(qn_json *j, const qn_world *w, const qn_class *c)
+{
+    const qn_grain *g = &w->grains[c->grain];
+    qn_json_open(j, NULL, '{');
+    qn_json_text(j, "group", w->def.groups[c->group].name);
+    qn_json_integer(j, "spheres", g->count);
+    qn_json_number(j, "diameter_m", 2 * g->radius);
+    qn_json_number(j, "bounding_diameter_m", 2 * g->bound);
+    qn_json_number(j, "mass_kg", g->mass);
+    qn_json_open(j, "moments_kg_m2", '[');
+    qn_json_number(j, NULL, g->moments.x);
+    qn_json_number(j, NULL, g->moments.y);
+    qn_json_number(j, NULL, g->moments.z);
+    qn_json_close(j);
+    qn_json_number(j, "error", w->def.shapes[g->shape].error);
+    qn_json_close(j);
+}
+
+static void print_clump(const qn_world *w, const qn_class *c)
+{
+    const qn_grain *g = &w->grains[c->grain];
+    double overlap = w->def.shapes[g->shape].overlap;
+    printf("%-20s %d spheres, %.6g kg, diameter %.5g mm (equal volume), %.5g mm around it\n",
+           w->def.groups[c->group].name, g->count, g->mass, 2e3 * g->radius, 2e3 * g->bound);
+    printf("%-20s moments of inertia %.5g, %.5g, %.5g kg m2; %.1f %% of the spheres' volume\n", "",
+           g->moments.x, g->moments.y, g->moments.z, 100 * overlap);
+}
+
 static qn_status print_json(const qn_world *w, const qn_forecast *f)
 {
     qn_json j;
     qn_json_begin(&j);
     qn_json_text(&j, "title", w->def.title);
     qn_json_integer(&j, "particles", f->particles);
+    qn_json_integer(&j, "spheres", f->spheres);
     qn_json_number(&j, "mass_kg", f->mass);
     qn_json_number(&j, "filling", f->filling);
     qn_json_number(&j, "critical_speed_rad_s", f->critical_speed);
@@ -101,6 +139,10 @@ static qn_status print_json(const qn_world *w, const qn_forecast *f)
     qn_json_text(&j, "output_directory", w->def.output.directory);
     qn_json_open(&j, "pairs", '{');
     for (int i = 0; i < w->def.contact_count; i++) put_pair(&j, w, &w->def.contacts[i]);
+    qn_json_close(&j);
+    qn_json_open(&j, "clumps", '[');
+    for (int i = 0; i < w->class_count; i++)
+        if (is_first(w, i)) put_clump(&j, w, &w->classes[i]);
     char *text;
     QN_TRY(qn_json_end(&j, &text));
     printf("%s\n", text);
@@ -170,6 +212,8 @@ static void print_report(const qn_world *w, const qn_forecast *f)
 {
     if (*w->def.title) printf("%s\n\n", w->def.title);
     printf("%-20s %lld, %.6g kg\n", "particles", (long long)f->particles, f->mass);
+    for (int i = 0; i < w->class_count; i++)
+        if (is_first(w, i)) print_clump(w, &w->classes[i]);
     if (w->def.drum.present) {
         double percent = f->critical_speed > 0 ? 100 * f->speed / f->critical_speed : 0;
         printf("%-20s %.1f %% of the drum, as a bed of solidity %.2f\n", "filling",

@@ -42,7 +42,7 @@ void progress_show(progress *p, const qn_world *w)
     double mean = (double)(w->step - p->first_step) / (now - p->started);
     fprintf(stderr, "%s%5.1f %%  %.4f s  %.3g particle-steps/s  ", p->terminal ? "\r" : "",
             100.0 * (double)w->step / (double)(p->end_step > 0 ? p->end_step : 1), qn_world_time(w),
-            rate * w->count);
+            rate * qn_world_particles(w));
     print_left((double)(p->end_step - w->step) / (mean > 0 ? mean : 1));
     fprintf(stderr, " left%s", p->terminal ? "   " : "\n");
     p->shown = now, p->shown_step = w->step;

@@ -305,7 +305,8 @@ static qn_status record(run *r, const options *o)
     warn_at_start(r);
     if (!o->quiet)
         fprintf(stderr, "%s: %d particles, %lld steps of %.4g s, %d threads, into %s\n", o->scene,
-                r->world->count, (long long)end, r->world->dt, r->world->threads, folder);
+                qn_world_particles(r->world), (long long)end, r->world->dt, r->world->threads,
+                folder);
     r->progress = progress_begin(r->world, end, o->quiet);
     return go(r, end);
 }

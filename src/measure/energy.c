@@ -10,7 +10,7 @@ enum { KINETIC, ROTATION, GRAVITY, SPEED, MASS, MOMENT_X, MOMENT_Y, MOMENT_Z, SU
 typedef struct sums {
     wide total[SUM_COUNT];
     double fastest;  // m/s
-    int64_t moving;  // 1   particles that can move
+    int64_t moving;  // 1   balls and clumps that can move
     bool broken;     //     a number that no sum can hold
 } sums;
 
@@ -55,23 +55,41 @@ static void units_of(const qn_world *w, double unit[SUM_COUNT])
     unit[MASS] = unit[MOMENT_X] = unit[MOMENT_Y] = unit[MOMENT_Z] = mass;
 }
 
-static void add_particle(sums *s, const qn_world *w, int i, const double *unit)
+// Adds what moves as one: its mass, rotational energy, centre and the velocity of that.
+static void add_one(sums *s, const qn_world *w, double mass, double rotation, qn_vec3 x, qn_vec3 v,
+                    const double *unit)
 {
-    const qn_class *c = &w->classes[w->place[i].klass];
-    if (!(c->inverse_mass > 0)) return;
-    qn_vec3 v = qn_velocity_now(w, i), spin = qn_spin_now(w, i), x = qn_world_position(w, i);
     qn_vec3 g = w->gravity;
     double speed = qn_norm(v), along = w->period > 0 ? 0 : g.z * x.z;
-    add(s, KINETIC, 0.5 * c->mass * qn_dot(v, v), unit[KINETIC]);
-    add(s, ROTATION, 0.5 * c->inertia * qn_dot(spin, spin), unit[ROTATION]);
-    add(s, GRAVITY, -c->mass * (g.x * x.x + g.y * x.y + along), unit[GRAVITY]);
+    add(s, KINETIC, 0.5 * mass * qn_dot(v, v), unit[KINETIC]);
+    add(s, ROTATION, rotation, unit[ROTATION]);
+    add(s, GRAVITY, -mass * (g.x * x.x + g.y * x.y + along), unit[GRAVITY]);
     add(s, SPEED, speed, unit[SPEED]);
-    add(s, MASS, c->mass, unit[MASS]);
-    add(s, MOMENT_X, c->mass * x.x, unit[MOMENT_X]);
-    add(s, MOMENT_Y, c->mass * x.y, unit[MOMENT_Y]);
-    add(s, MOMENT_Z, c->mass * x.z, unit[MOMENT_Z]);
+    add(s, MASS, mass, unit[MASS]);
+    add(s, MOMENT_X, mass * x.x, unit[MOMENT_X]);
+    add(s, MOMENT_Y, mass * x.y, unit[MOMENT_Y]);
+    add(s, MOMENT_Z, mass * x.z, unit[MOMENT_Z]);
     s->fastest = qn_max(speed, s->fastest);
     s->moving++;
+}
+
+static void add_ball(sums *s, const qn_world *w, int i, const double *unit)
+{
+    const qn_class *c = &w->classes[w->place[i].klass];
+    if (!(c->inverse_mass > 0) || qn_body_of(w, i) >= 0) return;
+    qn_vec3 spin = qn_spin_now(w, i);
+    add_one(s, w, c->mass, 0.5 * c->inertia * qn_dot(spin, spin), qn_world_position(w, i),
+            qn_velocity_now(w, i), unit);
+}
+
+static void add_clump(sums *s, const qn_world *w, const qn_body *b, const double *unit)
+{
+    const qn_grain *g = &w->grains[b->grain];
+    if (!(g->inverse_mass > 0)) return;
+    qn_vec3 spin = qn_body_spin_now(w, b);
+    qn_vec3 momentum = qn_tensor_times(b->orientation, g->moments, spin);
+    add_one(s, w, g->mass, 0.5 * qn_dot(spin, momentum), qn_body_position(w, b),
+            qn_body_velocity_now(w, b), unit);
 }
 
 static sums add_particles(const qn_world *w, const double *unit)
@@ -81,7 +99,9 @@ static sums add_particles(const qn_world *w, const double *unit)
     {
         sums mine = {0};
 #pragma omp for
-        for (int i = 0; i < w->count; i++) add_particle(&mine, w, i, unit);
+        for (int i = 0; i < w->count; i++) add_ball(&mine, w, i, unit);
+#pragma omp for
+        for (int k = 0; k < w->body_count; k++) add_clump(&mine, w, &w->bodies[k], unit);
 #pragma omp critical(qn_balance_sums)
         {
             for (int k = 0; k < SUM_COUNT; k++) all.total[k] += mine.total[k];

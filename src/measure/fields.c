@@ -72,8 +72,7 @@ qn_status qn_field_create(const qn_world *w, double cell, int layers, qn_field *
     double volume = f->side * f->side * f->layer, d = 2 * w->smallest_radius;
     f->volume_unit = qn_volume_quantum(w, volume, QN_BALL_POINTS);
     for (int c = 0; c < w->class_count; c++)
-        f->ball_weight[c] =
-            llrint(qn_ball_volume(w->classes[c].radius) / (QN_BALL_POINTS * f->volume_unit));
+        f->ball_weight[c] = llrint(w->classes[c].volume / (QN_BALL_POINTS * f->volume_unit));
     double most =
         (f->side + d) * (f->side + d) * (f->layer + d) / qn_ball_volume(w->smallest_radius);
     f->crowd = 1 + (int64_t)qn_min((double)w->count, most);
@@ -126,8 +125,10 @@ static void spread(qn_field *f, double period, qn_vec3 centre, double radius, in
     add(sum, voxel, pending);
 }
 
-static void add_centre(qn_field *f, int64_t voxel, int64_t volume, qn_vec3 v)
+// Adds a particle to the voxel of its centre.
+static void add_at(qn_field *f, const qn_world *w, qn_vec3 centre, int64_t volume, qn_vec3 v)
 {
+    int64_t voxel = voxel_of(f, w->period, centre.x, centre.y, centre.z);
     const double q = 1 / QN_SPEED_QUANTUM;
     add(f->sum[QN_FIELD_count], voxel, 1);
     add(f->sum[QN_FIELD_centre_volume], voxel, volume);
@@ -173,9 +174,18 @@ qn_status qn_field_sample(qn_field *f, const qn_world *w)
         if (!(w->classes[klass].inverse_mass > 0)) continue;  // a fixed ball is part of the walls
         int64_t weight = f->ball_weight[klass];
         qn_vec3 centre = qn_world_position(w, i);
-        int64_t voxel = voxel_of(f, w->period, centre.x, centre.y, centre.z);
-        add_centre(f, voxel, weight * QN_BALL_POINTS, qn_velocity_now(w, i));
+        if (qn_body_of(w, i) < 0)
+            add_at(f, w, centre, weight * QN_BALL_POINTS, qn_velocity_now(w, i));
         spread(f, w->period, centre, w->classes[klass].radius, weight, points);
+    }
+#pragma omp parallel for num_threads(w->threads)
+    for (int k = 0; k < w->body_count; k++) {
+        const qn_body *b = &w->bodies[k];
+        const qn_grain *g = &w->grains[b->grain];
+        int64_t volume = 0;
+        if (!(g->inverse_mass > 0)) continue;
+        for (int m = 0; m < g->count; m++) volume += f->ball_weight[g->klass[m]] * QN_BALL_POINTS;
+        add_at(f, w, qn_body_position(w, b), volume, qn_body_velocity_now(w, b));
     }
     if (f->samples == 0) f->first_step = w->step;
     f->last_step = w->step;

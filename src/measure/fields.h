@@ -4,7 +4,8 @@
 // A grid of voxels covers the drum's cross-section, symmetric about the axis, in layers along it. A
 // sample adds every particle to the voxel of its centre, and its volume to the voxels it extends
 // over: QN_BALL_POINTS points of equal weight inside each ball, so that solidity is right at the rim
-// too. Sums are integers, so they do not depend on order or threads. What is open of a voxel is
+// too. A clump counts once, where its centre is; its volume is spread over its spheres in proportion
+// to theirs. Sums are integers, so they do not depend on order or threads. What is open of a voxel is
 // computed from the walls: inside the drum, lifters taken off on average over a revolution.
 #ifndef QN_MEASURE_FIELDS_H
 #define QN_MEASURE_FIELDS_H
@@ -24,7 +25,7 @@ enum {
 //    name                   unit      meaning
 #define QN_FIELD_SUMS(F)                                                                          \
     F(count,                 "1",      "centres in the voxel, summed over samples")               \
-    F(centre_volume,         "m3",     "volume of the balls whose centres these are")             \
+    F(centre_volume,         "m3",     "volume of the particles whose centres these are")             \
     F(solid_volume,          "m3",     "solid volume inside the voxel, summed over samples")      \
     F(velocity_sum_x,        "m/s",    "velocities of the centres, along x")                      \
     F(velocity_sum_y,        "m/s",    "along y")                                                 \
@@ -37,7 +38,7 @@ enum {
 #define QN_FIELD_MEANS(F)                                                                         \
     F(solidity,              "1",      "solid volume in the open volume")                         \
     F(porosity,              "1",      "what is left of the open volume")                         \
-    F(solidity_raw,          "1",      "volume of the balls centred in the voxel by its whole volume") \
+    F(solidity_raw,          "1",      "volume of the particles centred in the voxel by its whole volume") \
     F(velocity_x,            "m/s",    "mean velocity of the centres, along x")                   \
     F(velocity_y,            "m/s",    "along y")                                                 \
     F(velocity_z,            "m/s",    "along z")                                                 \

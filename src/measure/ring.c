@@ -34,7 +34,7 @@ qn_status qn_ring_create(const qn_world *w, qn_ring *ring)
     ring->volume_unit = qn_volume_quantum(w, ring->open_volume, 1);
     QN_TRY(QN_ALLOCATE(ring->weight, w->class_count));
     for (int c = 0; c < w->class_count; c++)
-        ring->weight[c] = llrint(qn_ball_volume(w->classes[c].radius) / ring->volume_unit);
+        ring->weight[c] = llrint(w->classes[c].volume / ring->volume_unit);
     return QN_OK;
 }
 

@@ -2,7 +2,7 @@
 // The ring along the shell: how full it is by angle, hence where shoulder and toe are.
 //
 // Angles are in degrees from straight down, positive in the sense of rotation, in bins of one
-// degree. A sample adds each particle's volume to the bin of its centre if that lies within one
+// degree. A sample adds each sphere's volume to the bin of its centre if that lies within one
 // lifter height plus two diameters of the largest particle from the shell. Sums are integers.
 #ifndef QN_MEASURE_RING_H
 #define QN_MEASURE_RING_H

@@ -99,7 +99,8 @@ static double since(const qn_world *w, const qn_series *s, double difference)
 
 static double per_particle(const qn_world *w)
 {
-    return w->count > 0 ? 2 * (double)w->ledger.contacts_now / w->count : 0;
+    int particles = qn_world_particles(w);
+    return particles > 0 ? 2 * (double)w->ledger.contacts_now / particles : 0;
 }
 
 void qn_series_row(const qn_series *s, const qn_world *w, const qn_balance *b, double *row)

@@ -34,7 +34,7 @@
     C(dissipated_w,           "W",     since(w, s, b->lost - s->lost),   "losses by time since the row before") \
     C(contacts,               "1",     (double)l->contacts_now,      "between particles, touching") \
     C(wall_contacts,          "1",     (double)l->wall_contacts_now, "of particles with walls, touching") \
-    C(contacts_per_particle,  "1",     per_particle(w),              "coordination: twice the contacts by the particles, walls not counted") \
+    C(contacts_per_particle,  "1",     per_particle(w),              "coordination: twice the contacts by the particles, walls not counted; a clump is one particle") \
     C(overlap_percent,        "%",     100 * l->deepest_now,         "largest overlap now, of the smaller radius") \
     C(mean_speed_m_s,         "m/s",   b->mean_speed,                "mean speed of the particles") \
     C(max_speed_m_s,          "m/s",   b->max_speed,                 "largest speed")              \

@@ -11,11 +11,12 @@ enum { LEDGER_COLUMNS = 5, RUN_COLUMNS = 3, CLASS_COLUMNS = 4 };
 
 // ---- Columns of each group -----------------------------------------------------------------------
 
-// The three tables of a state: fields, group in the file, how many rows.
-#define STATE_TABLES(T)                             \
-    T(QN_PARTICLE_FIELDS, "particles", count)       \
-    T(QN_CONTACT_FIELDS, "contacts", contact_count) \
-    T(QN_WALL_CONTACT_FIELDS, "wall_contacts", wall_contact_count)
+// The tables of a state: fields, group in the file, how many rows.
+#define STATE_TABLES(T)                                            \
+    T(QN_PARTICLE_FIELDS, "particles", count)                      \
+    T(QN_CONTACT_FIELDS, "contacts", contact_count)                \
+    T(QN_WALL_CONTACT_FIELDS, "wall_contacts", wall_contact_count) \
+    T(QN_BODY_FIELDS, "bodies", body_count)
 
 /// Writes (`read` false) or reads the arrays of a state.
 static qn_status move_state(hid_t file, const qn_state *s, bool read)
@@ -233,6 +234,7 @@ static qn_status get_state(hid_t file, qn_world *w, qn_progress *p)
     QN_TRY(qn_table_rows(file, "particles", "id", &s.count));
     QN_TRY(qn_table_rows(file, "contacts", "low", &s.contact_count));
     QN_TRY(qn_table_rows(file, "wall_contacts", "wall_id", &s.wall_contact_count));
+    QN_TRY(qn_table_rows(file, "bodies", "body_id", &s.body_count));
     if (s.count != w->count)
         return qn_fail(QN_INPUT, "it holds %lld particles, this run has %d", (long long)s.count,
                        w->count);

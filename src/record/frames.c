@@ -67,7 +67,7 @@ static qn_status put_grid(hid_t file, float *points, int64_t point_count, int64_
 // ---- Particles -----------------------------------------------------------------------------------
 
 typedef struct row {
-    int64_t id;
+    int64_t id, body;
     int32_t klass;
     float radius, position[3], velocity[3], speed, spin[3];
 } row;
@@ -75,7 +75,7 @@ typedef struct row {
 /// Everything of a frame in one block, sorted by id, and then column by column.
 typedef struct columns {
     row *rows;
-    int64_t *id, *corners;
+    int64_t *id, *body, *corners;
     int32_t *klass;
     float *radius, *position, *velocity, *speed, *spin;
 } columns;
@@ -95,6 +95,7 @@ static qn_status allocate(columns *c, int64_t n)
 {
     QN_TRY(QN_ALLOCATE(c->rows, n));
     QN_TRY(QN_ALLOCATE(c->id, n));
+    QN_TRY(QN_ALLOCATE(c->body, n));
     QN_TRY(QN_ALLOCATE(c->corners, n));
     QN_TRY(QN_ALLOCATE(c->klass, n));
     QN_TRY(QN_ALLOCATE(c->radius, n));
@@ -108,6 +109,7 @@ static void release(columns *c)
 {
     free(c->rows);
     free(c->id);
+    free(c->body);
     free(c->corners);
     free(c->klass);
     free(c->radius);
@@ -123,6 +125,7 @@ static void fill(columns *c, const qn_world *w)
         row *r = &c->rows[i];
         qn_vec3 velocity = qn_velocity_now(w, i);
         r->id = w->id[i];
+        r->body = qn_body_of(w, i) < 0 ? r->id : w->bodies[w->body_of[i]].id;
         r->klass = w->place[i].klass;
         r->radius = (float)w->classes[r->klass].radius;
         r->speed = (float)qn_norm(velocity);
@@ -135,6 +138,7 @@ static void fill(columns *c, const qn_world *w)
         const row *r = &c->rows[i];
         c->corners[i] = i;
         c->id[i] = r->id;
+        c->body[i] = r->body;
         c->klass[i] = r->klass;
         c->radius[i] = r->radius;
         c->speed[i] = r->speed;
@@ -150,6 +154,8 @@ static qn_status put_particles(hid_t file, const qn_world *w, columns *c)
     int64_t n = w->count, offsets[2] = {0, n};
     const qn_column data[] = {
         {"id", "1", "persistent number of the particle, from 1", QN_INT64, 1, n, c->id},
+        {"body", "1", "of a sphere of a clump: id of the clump's first sphere; else its own id",
+         QN_INT64, 1, n, c->body},
         {"class", "1", "index of its class", QN_INT32, 1, n, c->klass},
         {"radius", "m", "of the particle", QN_FLOAT, 1, n, c->radius},
         {"velocity", "m/s", "of the centre", QN_FLOAT, 3, n, c->velocity},

@@ -90,8 +90,9 @@ static qn_status prepare(qn_recorder *rec, qn_run_mode mode, const qn_recorded_s
     rec->frames_synced = rec->progress.frame_count;  // a checkpoint counts only such frames
     rec->wall_before = rec->progress.wall;
     if (*rec->note) qn_recorder_log(rec, "%s", rec->note);
-    qn_recorder_log(rec, "quern " QN_VERSION ", %d particles, %s at step %" PRId64, world->count,
-                    rec->resumed_step >= 0 ? "going on" : "starting", world->step);
+    qn_recorder_log(rec, "quern " QN_VERSION ", %d particles, %s at step %" PRId64,
+                    qn_world_particles(world), rec->resumed_step >= 0 ? "going on" : "starting",
+                    world->step);
     return QN_OK;
 }
 

@@ -8,12 +8,12 @@
 
 static void put_run(qn_json *j, const qn_world *w, const qn_progress *p, bool finished)
 {
-    double particle_steps = (double)w->step * (double)w->count;
+    double particle_steps = (double)w->step * qn_world_particles(w);
     qn_json_text(j, "format", QN_RECORDING_FORMAT);
     qn_json_text(j, "version", QN_VERSION);
     qn_json_text(j, "title", w->def.title);
     qn_json_flag(j, "finished", finished);
-    qn_json_integer(j, "particles", w->count);
+    qn_json_integer(j, "particles", qn_world_particles(w));
     qn_json_integer(j, "steps", w->step);
     qn_json_number(j, "time_s", qn_world_time(w));
     qn_json_number(j, "dt_s", w->dt);

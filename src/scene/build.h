@@ -15,6 +15,10 @@ void qn_build_times(qn_reader *r, const qn_scene_keys *scene);
 void qn_build_measure(qn_reader *r, const qn_scene_keys *scene);
 void qn_build_output(qn_reader *r, const qn_scene_keys *scene);
 
+/// The shape of a group whose other keys are read, for a definition with room for it.
+QN_NODISCARD qn_status qn_build_shape(qn_reader *r, const qn_group_keys *keys, qn_mark mark,
+                                      qn_group_def *group);
+
 /// What only shows when everything is known: materials that meet without a law, turns of a drum that
 /// never turns.
 void qn_build_check(qn_reader *r, const qn_scene_keys *scene);

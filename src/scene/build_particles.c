@@ -191,6 +191,7 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     check_fill(r, &k, fill, from.mark);
     read_diameters(r, &k, g, from.mark, fill == FILL_FILE);
     g->packing = fill == FILL_HCP ? QN_PACK_HCP : fill == FILL_GRID ? QN_PACK_GRID : QN_PACK_LIST;
+    QN_TRY(qn_build_shape(r, &k, from.mark, g));
     if (fill <= FILL_GRID) {
         read_amount(r, &k, g, from.mark);
         return QN_OK;
@@ -212,6 +213,7 @@ qn_status qn_build_particles(qn_reader *r, const qn_scene_keys *scene)
     const qn_node *nodes[QN_NAMES_MAX];
     int count = qn_names_read(r, &scene->particles, nodes);
     QN_TRY(QN_ALLOCATE(r->def->groups, count));
+    QN_TRY(QN_ALLOCATE(r->def->shapes, count));
     for (int i = 0; i < count; i++) QN_TRY(read_group(r, nodes[i]));
     if (count == 0 && scene->particles.set)
         qn_complain_at(r, scene->particles.mark, "particles has no entry; at least one is needed");

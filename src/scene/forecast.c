@@ -42,12 +42,15 @@ double qn_forecast_dashpot(const qn_forecast *f, const qn_contact_def *c, const 
 qn_forecast qn_forecast_of(const qn_world *w, const qn_timestep *timestep)
 {
     const qn_drum_def *drum = &w->def.drum;
-    qn_forecast f = {.particles = w->count, .dt = w->dt, .timestep = *timestep};
+    qn_forecast f = {.particles = qn_world_particles(w),
+                     .spheres = w->count,
+                     .dt = w->dt,
+                     .timestep = *timestep};
     double solid = 0;  // m3
     for (int i = 0; i < w->count; i++) {
         const qn_class *c = &w->classes[w->place[i].klass];
-        f.mass += c->mass;
-        solid += c->mass / w->def.materials[c->material].density;
+        f.mass += c->volume * w->def.materials[c->material].density;
+        solid += c->volume;
     }
     f.end = qn_forecast_seconds(w, w->def.end);
     f.steps = isfinite(f.end) ? (int64_t)floor(f.end / w->dt + 0.5) : 0;

@@ -9,11 +9,11 @@
 #include "world/timestep.h"
 
 typedef struct qn_forecast {
-    double critical_speed;  // rad/s  sqrt(2 g/D); 0 without a drum
-    double speed;           // rad/s  of the drum in the end
-    double revolutions;     // 1      of the drum in the whole run
-    int64_t particles;
-    double mass;           // kg     of all particles
+    double critical_speed;       // rad/s  sqrt(2 g/D); 0 without a drum
+    double speed;                // rad/s  of the drum in the end
+    double revolutions;          // 1      of the drum in the whole run
+    int64_t particles, spheres;  // 1  a clump is one particle of several spheres
+    double mass;                 // kg     of all particles
     double filling;        // 1      bed volume, voids included, over the drum's; 0 without a drum
     qn_timestep timestep;  //        Rayleigh and contact times, impact speed
     double dt;             // s

@@ -59,7 +59,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(contacts,           NAMES,   PURE,         "",          "",                 "",               FIXED, "the law between two materials, for every two that can touch") \
     K(drum,               MAP,     PURE,         "",          "",                 "",               FIXED, "a drum about the z axis, from z = 0 to its length") \
     K(walls,              NAMES,   PURE,         "",          "",                 "",               FIXED, "planes, boxes and meshes")      \
-    K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "groups of spheres")             \
+    K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "groups of particles")             \
     K(measure,            MAP,     PURE,         "",          "",                 "",               FIXED, "what is observed while running") \
     K(output,             MAP,     PURE,         "",          "",                 "",               FIXED, "what is written, and where")    \
     K(numerics,           MAP,     PURE,         "",          "",                 "",               FIXED, "for the expert")
@@ -145,19 +145,23 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
 #define QN_GROUP_KEYS(K)                                                                                                            \
     K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the spheres")                \
+    K(shape,              WORD,    PURE,         "",          "sphere tetrahedron file", "sphere",  FIXED, "spheres; or clumps, rigid bodies of four spheres or of those in shape_file: their diameter is that of the sphere of equal volume") \
+    K(spacing,            NUMBER,  PURE,         "]0, 4]",    "",                 "1",              FIXED, "between the centres of a tetrahedron's spheres, in their radii") \
+    K(shape_file,         FILE,    PURE,         "",          "",                 "",               FIXED, "CSV of a clump's spheres: x y z radius, in any unit as diameter gives the size") \
+    K(turned,             VECTOR,  ANGLE,        "",          "",                 "",               FIXED, "clumps: rotation vector from the template; if not written, none with at and file, random otherwise") \
     K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of every sphere; this or sizes") \
     K(sizes,              LIST,    PURE,         "",          "",                 "",               FIXED, "a size distribution; this or diameter") \
     K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           FIXED, "what the fractions of sizes count") \
     K(fixed,              YESNO,   PURE,         "",          "",                 "no",             FIXED, "never moves, whatever touches it") \
     K(fill,               WORD,    PURE,         "",          "hcp grid file at", "hcp",            FIXED, "hexagonal packing, cubic grid, from a file, or one sphere; file and at if those keys are there") \
-    K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many; hcp and grid need one of count, filling, mass") \
+    K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many particles; hcp and grid need one of count, filling, mass") \
     K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "share of the drum's volume that the bed at rest takes, voids included") \
-    K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all spheres together")       \
-    K(padding,            NUMBER,  SHARE,        "[0, 10]",   "",                 "2 %",            FIXED, "room left around each sphere, of its radius") \
+    K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all particles together")       \
+    K(padding,            NUMBER,  SHARE,        "[0, 10]",   "",                 "2 %",            FIXED, "room left around each sphere or the sphere around each clump, of its radius") \
     K(jitter,             NUMBER,  SHARE,        "[0, 1]",    "",                 "0",              FIXED, "random displacement, as a share of the padding") \
     K(file,               FILE,    PURE,         "",          "",                 "",               FIXED, "CSV, raw binary, or a frame or checkpoint of Quern, relative to the scene") \
     K(file_unit,          UNIT,    PURE,         "",          "",                 "m",              FIXED, "of the file's lengths")         \
-    K(at,                 VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "centre of the one sphere")      \
+    K(at,                 VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "centre of the one sphere, centre of mass of the one clump")      \
     K(velocity,           VECTOR,  VELOCITY,     "",          "",                 "0 0 0 m/s",      FIXED, "at the start")                  \
     K(spin,               VECTOR,  SPIN,         "",          "",                 "0 0 0 rad/s",    FIXED, "at the start")
 

@@ -181,6 +181,16 @@ static void write_list(FILE *out, const qn_group_def *g)
     fprintf(out, "\n");
 }
 
+static void write_shape(FILE *out, const qn_def *def, const qn_group_def *g)
+{
+    const qn_shape *s = &def->shapes[g->shape - 1];
+    uint64_t hash = hash_numbers(QN_HASH_START, s->centre, 3 * (int64_t)s->count);
+    fprintf(out, "    shape: file\n    shape_file: ");
+    write_contents(out, s->count, "spheres", hash_numbers(hash, s->radius, s->count));
+    if (!g->turned_at_random) write_vector(out, "\n    turned", g->turned, "rad");
+    fprintf(out, "\n");
+}
+
 static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
 {
     fprintf(out, "  %s:\n    material: %s\n    fixed: %s\n", g->name,
@@ -203,6 +213,7 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
         fprintf(out, "    padding: %.17g\n    jitter: %.17g\n", g->padding, g->jitter);
     }
     if (g->packing != QN_PACK_LIST || is_one) write_sizes(out, g);
+    if (g->shape) write_shape(out, def, g);
     write_vector(out, "    velocity", g->velocity, "m/s");
     write_vector(out, "\n    spin", g->spin, "rad/s");
     fprintf(out, "\n");

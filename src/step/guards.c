@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/guards.h"
+#include "world/bodies.h"
 #include "world/classes.h"
 #include "world/neighbours.h"
 
@@ -9,7 +10,7 @@
 typedef struct culprit {
     int index;
     double share;  // 1   of the smaller radius
-    char partner[QN_NAME_MAX + 32];
+    char partner[QN_PARTICLE_NAME];
 } culprit;
 
 static void look_at_pairs(const qn_world *w, const qn_share *share, culprit *worst)
@@ -23,8 +24,7 @@ static void look_at_pairs(const qn_world *w, const qn_share *share, culprit *wor
             double deep = (a + b - sqrt(x * x + y * y + z * z)) / qn_min(a, b);
             if (!(deep > worst->share)) continue;
             worst->index = i, worst->share = deep;
-            snprintf(worst->partner, sizeof worst->partner, "particle %lld",
-                     (long long)w->id[q->home]);
+            qn_particle_name(w, q->home, worst->partner);
         }
 }
 
@@ -55,16 +55,17 @@ qn_status qn_guard_overlap(qn_world *w)
     }
     if (ledger->deepest_now <= QN_OVERLAP_STOP) return QN_OK;
     culprit worst = {0, 0, "something"};
+    char name[QN_PARTICLE_NAME];
     for (int t = 0; t < nb->share_count; t++) look_at_pairs(w, &nb->shares[t], &worst);
     for (int i = 0; i < w->count; i++)
         if (w->classes[w->place[i].klass].inverse_mass > 0) look_at_walls(w, i, &worst);
     const qn_place *p = &w->place[worst.index];
     return qn_fail(QN_UNSTABLE,
-                   "particle %lld overlaps %s by %.3g %% of its radius (allowed: %g %%), at "
+                   "%s overlaps %s by %.3g %% of its radius (allowed: %g %%), at "
                    "(%g, %g, %g) m with speed %g m/s, at %g s (step %lld): the materials are too "
                    "soft for such an impact, the time step (%g s) too long, or the particles were "
                    "placed into each other",
-                   (long long)w->id[worst.index], worst.partner, 100 * worst.share,
+                   qn_particle_name(w, worst.index, name), worst.partner, 100 * worst.share,
                    100 * QN_OVERLAP_STOP, p->x, p->y, p->z,
                    qn_norm(w->motion[worst.index].velocity), qn_world_time(w), (long long)w->step,
                    w->dt);
@@ -80,12 +81,12 @@ qn_status qn_guard_speed(const qn_world *w, double limit)
     if (which < 0) return QN_OK;
     const qn_place *p = &w->place[which];
     double speed = qn_norm(w->motion[which].velocity);
-    return qn_fail(
-        QN_UNSTABLE,
-        "particle %lld %s (%g m/s; a particle may move a fifth of the smallest radius in "
-        "one step, %g m/s) at (%g, %g, %g) m, at %g s (step %lld): the time step (%g s) "
-        "is too long or a contact has blown up",
-        (long long)w->id[which],
-        isfinite(speed) ? "is too fast" : "has a speed that is not a number", speed, limit, p->x,
-        p->y, p->z, qn_world_time(w), (long long)w->step, w->dt);
+    char name[QN_PARTICLE_NAME];
+    return qn_fail(QN_UNSTABLE,
+                   "%s %s (%g m/s; a particle may move a fifth of the smallest radius in "
+                   "one step, %g m/s) at (%g, %g, %g) m, at %g s (step %lld): the time step (%g s) "
+                   "is too long or a contact has blown up",
+                   qn_particle_name(w, which, name),
+                   isfinite(speed) ? "is too fast" : "has a speed that is not a number", speed,
+                   limit, p->x, p->y, p->z, qn_world_time(w), (long long)w->step, w->dt);
 }

@@ -4,10 +4,60 @@
 #include <stdlib.h>
 #include <string.h>
 
+int qn_radii_of(const qn_def *def, const qn_group_def *group, int *which)
+{
+    const qn_shape *s = &def->shapes[group->shape - 1];
+    int first[QN_SPHERES_MAX], count = 0;
+    for (int i = 0; i < s->count; i++) {
+        int d = 0;
+        while (d < count && s->radius[first[d]] != s->radius[i]) d++;
+        if (d == count) first[count++] = i;
+        if (which) which[i] = d;
+    }
+    return count;
+}
+
+// Makes the class of a ball of radius r (m) that of the first sphere of a clump of equal volume.
+static void shape_class(qn_class *c, const qn_shape *s, double r, int grain)
+{
+    double mean = (s->moment.x + s->moment.y + s->moment.z) / 3;
+    double least = qn_min(s->moment.x, qn_min(s->moment.y, s->moment.z));
+    c->grain = grain;
+    c->radius = r * s->radius[0];
+    c->bound = r * s->bound;
+    c->inertia = mean * c->mass * r * r;
+    c->volume *= s->overlap * s->radius[0] * s->radius[0] * s->radius[0];
+    c->least_mass = c->mass / (1 + s->arm * s->arm / least);  // hit with the longest lever
+}
+
+// The classes of clumps' spheres that are not as large as the first, from `c` on.
+static void other_radii(const qn_def *def, const qn_class *firsts, qn_class *c)
+{
+    int which[QN_SPHERES_MAX];
+    const qn_class *first = firsts;
+    for (int k = 0; k < def->group_count; k++) {
+        const qn_group_def *group = &def->groups[k];
+        int radii = group->shape ? qn_radii_of(def, group, which) : 1;
+        for (int size = 0; size < group->size_count; size++, first++)
+            for (int d = 1; d < radii; d++, c++) {
+                const qn_shape *s = &def->shapes[group->shape - 1];
+                int i = 0;
+                while (which[i] != d) i++;
+                double ratio = s->radius[i] / s->radius[0];
+                *c = *first;
+                c->radius = group->diameter[size] / 2 * s->radius[i];
+                c->volume = first->volume * ratio * ratio * ratio;
+            }
+    }
+}
+
 qn_status qn_classes_build(const qn_def *def, qn_class **classes, int *count)
 {
-    int total = 0;
-    for (int k = 0; k < def->group_count; k++) total += def->groups[k].size_count;
+    int total = 0, grain = 0;
+    for (int k = 0; k < def->group_count; k++) {
+        const qn_group_def *group = &def->groups[k];
+        total += group->size_count * (group->shape ? qn_radii_of(def, group, NULL) : 1);
+    }
     QN_TRY(QN_ALLOCATE(*classes, total));
     *count = total;
     qn_class *c = *classes;
@@ -16,12 +66,17 @@ qn_status qn_classes_build(const qn_def *def, qn_class **classes, int *count)
             const qn_group_def *group = &def->groups[k];
             double r = group->diameter[s] / 2;
             c->group = k, c->size = s, c->material = group->material;
-            c->radius = r;
+            c->grain = -1;
+            c->radius = c->bound = r;
             c->mass = 4.0 / 3 * QN_PI * r * r * r * def->materials[group->material].density;
             c->inertia = 0.4 * c->mass * r * r;
+            c->volume = 4.0 / 3.0 * QN_PI * r * r * r;
+            c->least_mass = c->mass;
+            if (group->shape) shape_class(c, &def->shapes[group->shape - 1], r, grain++);
             c->inverse_mass = group->fixed ? 0 : 1 / c->mass;
             c->inverse_inertia = group->fixed ? 0 : 1 / c->inertia;
         }
+    other_radii(def, *classes, c);
     return QN_OK;
 }
 
@@ -83,7 +138,7 @@ static qn_status no_law(const qn_def *def, int a, int b)
 bool qn_classes_can_meet(const qn_def *def, const qn_class *a, const qn_class *b)
 {
     const qn_group_def *group = &def->groups[a->group];
-    bool alone = a == b && group->packing == QN_PACK_LIST && group->list_count < 2;
+    bool alone = a->group == b->group && group->packing == QN_PACK_LIST && group->list_count < 2;
     return !alone && (a->inverse_mass > 0 || b->inverse_mass > 0);
 }
 

@@ -8,9 +8,13 @@
 #define QN_OVERLAP_WARN 0.05  // 1   overlap in radii of the smaller sphere: above it, a warning
 #define QN_OVERLAP_STOP 0.30  // 1   above it, the run stops
 
-/// The classes of a definition: every size of every group, in their order. *classes is owned by the
-/// caller.
+/// The classes of a definition: every size of every group, in their order, then those of clumps' spheres
+/// that are not as large as the first. *classes is owned by the caller.
 QN_NODISCARD qn_status qn_classes_build(const qn_def *def, qn_class **classes, int *count);
+
+/// How many radii the spheres of a group of clumps have; which[] gets the number of each sphere's, from
+/// 0 in the order in which they come, unless NULL.
+int qn_radii_of(const qn_def *def, const qn_group_def *group, int *which);
 
 /// The two sides of a contact between classes, or of a class and a wall, with time step dt (s).
 qn_sides qn_sides_of_classes(const qn_def *def, const qn_contact_def *contact, const qn_class *a,

@@ -47,6 +47,7 @@ void qn_def_free(qn_def *def)
     free(def->planes);
     free(def->meshes);
     free(def->groups);
+    free(def->shapes);
     free(def->drum.profile);
     *def = qn_def_default();
 }

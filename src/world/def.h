@@ -11,6 +11,7 @@
 #include "physics/laws.h"
 #include "physics/scheme.h"
 #include "physics/vec3.h"
+#include "world/shape.h"
 
 enum {
     QN_NAME_MAX = 48,     // longest name of a material, group or wall, with its final zero
@@ -93,9 +94,10 @@ typedef enum qn_packing { QN_PACK_HCP, QN_PACK_GRID, QN_PACK_LIST } qn_packing;
 typedef struct qn_group_def {
     char name[QN_NAME_MAX];
     int material;
+    int shape;                      //        1 + the index of a clump's shape; 0 for balls
     bool fixed;                     //        never moves, whatever touches it
     int size_count;                 // 1      at least 1
-    double diameter[QN_SIZES_MAX];  // m
+    double diameter[QN_SIZES_MAX];  // m      of a clump: of the sphere of equal volume
     double fraction[QN_SIZES_MAX];  // 1      by number, adding up to 1
     qn_packing packing;
     qn_amount amount_kind;
@@ -108,6 +110,8 @@ typedef struct qn_group_def {
     double *list_spin;       // rad/s  3 x list_count, owned, or NULL for `spin`
     int *list_size;          // 1      index into diameter[], owned, or NULL for all 0
     qn_vec3 velocity, spin;  // m/s, rad/s   of every particle at the start
+    bool turned_at_random;   //        clumps: the orientation at the start, else
+    qn_vec3 turned;          // rad    turned by this rotation vector from how the shape was given
 } qn_group_def;
 
 /// What is observed while running.
@@ -138,15 +142,16 @@ typedef struct qn_def {
     qn_span end;               //      of the run, from its start
     double step;               // s    0 for automatic
     double rayleigh_fraction;  // 1    of the automatic step
-    qn_scheme scheme;         //      of the time integration
+    qn_scheme scheme;          //      of the time integration
     double skin;          // 1    Verlet skin in radii of the smallest particle; 0 for automatic
     double bed_solidity;  // 1    solid share of a bed at rest, for `filling`
-    int material_count, contact_count, plane_count, mesh_count, group_count;
-    qn_material_def *materials;  //      these five owned
+    int material_count, contact_count, plane_count, mesh_count, group_count, shape_count;
+    qn_material_def *materials;  //      these six owned
     qn_contact_def *contacts;
     qn_plane_def *planes;
     qn_mesh_def *meshes;
     qn_group_def *groups;
+    qn_shape *shapes;
     qn_drum_def drum;
     qn_measure_def measure;
     qn_output_def output;

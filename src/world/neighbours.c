@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/neighbours.h"
+#include "world/bodies.h"
 #include "world/history.h"
 #include "world/sorter.h"
 
@@ -62,6 +63,7 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
         const qn_place q = w->place[j];
         double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
         if (!(x * x + y * y + z * z < reach2[q.klass])) continue;
+        if (w->body_of && w->body_of[i] >= 0 && w->body_of[i] == w->body_of[q.home]) continue;
         bool lower = w->id[q.home] < w->id[i];
         int64_t k = share->pair_count++;
         share->partner[k] = (uint32_t)j << 1 | lower;
@@ -204,11 +206,13 @@ static qn_status check_all(qn_world *w)
     const qn_place *p = &w->place[which];
     const qn_motion *m = &w->motion[which];
     bool finite = isfinite(p->x) && isfinite(p->y) && isfinite(p->z);
+    char name[QN_PARTICLE_NAME];
     return qn_fail(QN_UNSTABLE,
-                   "particle %lld %s at (%g, %g, %g) m with speed %g m/s, at %g s (step %lld); "
+                   "%s %s at (%g, %g, %g) m with speed %g m/s, at %g s (step %lld); "
                    "take a smaller time step (now %g s) or stiffer materials",
-                   (long long)lost, finite ? "has left through a wall" : "is not a number", p->x,
-                   p->y, p->z, qn_norm(m->velocity), qn_world_time(w), (long long)w->step, w->dt);
+                   qn_particle_name(w, which, name),
+                   finite ? "has left through a wall" : "is not a number", p->x, p->y, p->z,
+                   qn_norm(m->velocity), qn_world_time(w), (long long)w->step, w->dt);
 }
 
 qn_status qn_neighbours_rebuild(qn_world *w)
@@ -220,6 +224,7 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     QN_TRY(qn_history_collect(w));
     QN_TRY(qn_grid_lay(&s->grid, w, cell));
     QN_TRY(qn_sort_particles(s, w));
+    qn_bodies_follow(w, s->to);
     QN_TRY(qn_sort_images(s, w, cell, &nb->image_count));
     for (int64_t k = 0; k < s->touch_count; k++) s->touches[k].index = s->to[s->touches[k].index];
     if (s->touch_count > 0) qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);

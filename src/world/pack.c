@@ -112,7 +112,7 @@ static void keep_clear(lattice *lat, const qn_walls *walls, const qn_class *clas
             double length = lat->high.z - lat->low.z;
             if (lat->periodic) d.z -= length * floor(d.z / length + 0.5);
             double apart = qn_norm(d);
-            clear = apart >= lat->pad + classes[placed[k].klass].radius;
+            clear = apart >= lat->pad + classes[placed[k].klass].bound;
         }
         if (clear) lat->sites[kept++] = lat->sites[i];
     }
@@ -174,7 +174,7 @@ static qn_status place_lists(const qn_def *def, const qn_class *classes, const q
                     qn_v3(g->list_spin[3 * i], g->list_spin[3 * i + 1], g->list_spin[3 * i + 2]);
             double clear = qn_walls_clearance(walls, &pose, s.position);
             double radius = classes[s.klass].radius;
-            if (!g->fixed && clear < radius * (1 - QN_OVERLAP_WARN))
+            if (!g->fixed && !g->shape && clear < radius * (1 - QN_OVERLAP_WARN))
                 return qn_fail(QN_INPUT,
                                "particles.%s: particle %d at (%g, %g, %g) m with radius %g m "
                                "stands %g m deep in a wall",
@@ -197,7 +197,7 @@ static qn_status place_packed(const qn_def *def, const qn_class *classes, const 
     for (int64_t i = 0; i < total; i++) {
         const qn_class *c = &classes[labels[i]];
         const qn_group_def *g = &def->groups[c->group];
-        qn_vec3 at = jittered(def, g, lat->sites[i], c->radius, (uint64_t)i);
+        qn_vec3 at = jittered(def, g, lat->sites[i], c->bound, (uint64_t)i);
         out[(*count)++] = (qn_seedling){at, g->velocity, g->spin, labels[i]};
     }
     free(labels);
@@ -214,8 +214,9 @@ static int64_t plan(const qn_def *def, const qn_walls *walls, lattice *lat, int6
         group_wanted[k] = wanted(def, g, walls);
         total += group_wanted[k];
         lat->cubic |= g->packing == QN_PACK_GRID;
+        double bound = g->shape ? def->shapes[g->shape - 1].bound : 1;
         for (int s = 0; s < g->size_count; s++)
-            lat->pad = qn_max(lat->pad, g->diameter[s] / 2 * (1 + g->padding));
+            lat->pad = qn_max(lat->pad, bound * g->diameter[s] / 2 * (1 + g->padding));
     }
     return total;
 }

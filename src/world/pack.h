@@ -9,7 +9,7 @@
 
 #include "world/world.h"
 
-/// One particle before it has a record.
+/// One ball or clump before it has a record.
 typedef struct qn_seedling {
     qn_vec3 position, velocity, spin;  // m, m/s, rad/s
     int32_t klass;

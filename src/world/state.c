@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/state.h"
 #include "base/hash.h"
+#include "world/bodies.h"
 #include "world/neighbours.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-// The three tables of a state, each with its count.
-#define QN_STATE_TABLES(T)              \
-    T(QN_PARTICLE_FIELDS, count)        \
-    T(QN_CONTACT_FIELDS, contact_count) \
-    T(QN_WALL_CONTACT_FIELDS, wall_contact_count)
+// The tables of a state, each with its count.
+#define QN_STATE_TABLES(T)                        \
+    T(QN_PARTICLE_FIELDS, count)                  \
+    T(QN_CONTACT_FIELDS, contact_count)           \
+    T(QN_WALL_CONTACT_FIELDS, wall_contact_count) \
+    T(QN_BODY_FIELDS, body_count)
 
 static qn_status allocate(qn_state *s)
 {
@@ -120,11 +122,46 @@ static qn_status export_particles(const qn_world *w, qn_state *s)
     return QN_OK;
 }
 
+static void export_bodies(const qn_world *w, qn_state *s)
+{
+    for (int k = 0; k < w->body_count; k++) {
+        const qn_body *b = &w->bodies[k];
+        const qn_quat q = b->orientation;
+        s->body_id[k] = b->id;
+        s->body_grain[k] = b->grain;
+        put(s->body_position, k, qn_body_position(w, b));
+        memcpy(s->body_orientation + 4 * k, (const double[4]){q.w, q.x, q.y, q.z}, 4 * sizeof q.w);
+        put(s->body_velocity, k, b->velocity);
+        put(s->body_spin, k, b->spin);
+        put(s->body_momentum, k, b->momentum);
+        put(s->body_kick, k, b->kick);
+        put(s->body_spin_kick, k, b->spin_kick);
+        put(s->body_momentum_kick, k, b->momentum_kick);
+    }
+}
+
+static void import_bodies(qn_world *w, const qn_state *s)
+{
+    for (int k = 0; k < w->body_count; k++) {
+        qn_body *b = &w->bodies[k];
+        const double *q = &s->body_orientation[4 * k];
+        b->position = take(s->body_position, k);
+        b->orientation = qn_quat_of(q[0], q[1], q[2], q[3]);
+        b->velocity = take(s->body_velocity, k);
+        b->spin = take(s->body_spin, k);
+        b->momentum = take(s->body_momentum, k);
+        b->kick = take(s->body_kick, k);
+        b->spin_kick = take(s->body_spin_kick, k);
+        b->momentum_kick = take(s->body_momentum_kick, k);
+    }
+    qn_bodies_find(w);
+}
+
 qn_status qn_world_export(const qn_world *w, qn_state *s)
 {
     qn_contact *contacts = NULL;
     qn_wall_contact *touches = NULL;
-    qn_state out = {.step = w->step, .count = w->count};
+    qn_state out = {.step = w->step, .count = w->count, .body_count = w->body_count};
     QN_TRY(qn_neighbours_contacts(w, &contacts, &out.contact_count));
     qn_status status = qn_neighbours_wall_contacts(w, &touches, &out.wall_contact_count);
     if (status == QN_OK) status = qn_state_allocate(&out);
@@ -143,6 +180,7 @@ qn_status qn_world_export(const qn_world *w, qn_state *s)
             put(out.wall_roll, k, touches[k].memory.roll);
             put(out.wall_normal, k, touches[k].normal);
         }
+        export_bodies(w, &out);
         *s = out;
     }
     free(contacts);
@@ -163,6 +201,21 @@ static qn_status check(const qn_world *w, const qn_state *s)
             return qn_fail(QN_INPUT, "the state's particle %lld is of class %d; there are %d",
                            (long long)s->id[k], s->klass[k], w->class_count);
     }
+    if (s->body_count != w->body_count)
+        return qn_fail(QN_INPUT, "the state holds %lld clumps, the scene makes %d",
+                       (long long)s->body_count, w->body_count);
+    for (int64_t k = 0, i = 0; k < s->body_count; k++) {
+        const qn_body *b = &w->bodies[k];
+        const qn_grain *g = &w->grains[b->grain];
+        while (i < s->count && s->id[i] < b->id) i++;
+        bool same =
+            s->body_id[k] == b->id && s->body_grain[k] == b->grain && i + g->count <= s->count;
+        for (int m = 0; m < g->count && same; m++)
+            same = s->id[i + m] == b->id + m && s->klass[i + m] == g->klass[m];
+        if (!same)
+            return qn_fail(QN_INPUT, "the state's clump %lld is not one of the scene's",
+                           (long long)s->body_id[k]);
+    }
     return QN_OK;
 }
 
@@ -181,6 +234,7 @@ qn_status qn_world_import(qn_world *w, const qn_state *s)
                                        take(s->spin_kick, k)};
             w->id[k] = s->id[k];
         }
+        import_bodies(w, s);
         for (int64_t k = 0; k < s->contact_count; k++)
             contacts[k] = (qn_contact){s->low[k], s->high[k], {take(s->slip, k), take(s->roll, k)}};
         for (int64_t k = 0; k < s->wall_contact_count; k++)

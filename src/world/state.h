@@ -29,13 +29,24 @@
     F(double,  wall_slip,    3,  "m",     "tangential displacement against the wall")          \
     F(double,  wall_roll,    3,  "N m",   "moment of the rolling spring")                      \
     F(double,  wall_normal,  3,  "1",     "from the wall to the particle, at the last step")
+#define QN_BODY_FIELDS(F)                                                                      \
+    F(int64_t, body_id,          1, "1",     "of a clump: that of its first sphere")           \
+    F(int32_t, body_grain,       1, "1",     "index of its grain, a shape in one size")        \
+    F(double,  body_position,    3, "m",     "centre of mass, at step n")                      \
+    F(double,  body_orientation, 4, "1",     "quaternion w x y z from principal axes to space, at step n") \
+    F(double,  body_velocity,    3, "m/s",   "of the centre of mass, at step n - 1/2")         \
+    F(double,  body_spin,        3, "rad/s", "at step n - 1/2")                                \
+    F(double,  body_momentum,    3, "N m s", "angular momentum about the centre, at step n - 1/2") \
+    F(double,  body_kick,        3, "m/s",   "half the velocity change of the last step")      \
+    F(double,  body_spin_kick,   3, "rad/s", "from spin to the spin predicted for step n")      \
+    F(double,  body_momentum_kick, 3, "N m s", "half the change of the last step")
 // clang-format on
 
 typedef struct qn_state {
     int64_t step;
-    int64_t count, contact_count, wall_contact_count;
+    int64_t count, contact_count, wall_contact_count, body_count;
 #define F(type, name, width, unit, meaning) type *name;  // owned
-    QN_PARTICLE_FIELDS(F) QN_CONTACT_FIELDS(F) QN_WALL_CONTACT_FIELDS(F)
+    QN_PARTICLE_FIELDS(F) QN_CONTACT_FIELDS(F) QN_WALL_CONTACT_FIELDS(F) QN_BODY_FIELDS(F)
 #undef F
 } qn_state;
 

@@ -143,6 +143,9 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);
             bool both = c->inverse_mass > 0 && classes[b].inverse_mass > 0;
             take_pair(&t, contact, &sides, v.particle + (both ? v.partner : 0));
+            sides.mass[0] = c->least_mass;  // of a clump hit off its centre
+            sides.mass[1] = classes[b].least_mass;
+            take_pair(&t, contact, &sides, v.particle + (both ? v.partner : 0));
         }
         for (int m = 0; m < def->material_count; m++) {
             const qn_contact_def *contact = qn_def_contact(def, c->material, m);
@@ -150,6 +153,8 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             qn_sides sides;
             if (!contact || !qn_def_is_wall(def, m)) continue;
             sides = qn_sides_of_wall(def, contact, c, &surface, 1);
+            take_pair(&t, contact, &sides, v.particle + v.wall);
+            sides.mass[0] = c->least_mass;
             take_pair(&t, contact, &sides, v.particle + v.wall);
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/world.h"
+#include "world/bodies.h"
 #include "world/classes.h"
 #include "world/neighbours.h"
 #include "world/pack.h"
@@ -39,6 +40,13 @@ static qn_status check_period(const qn_world *w)
                        "drum.length = %g m is too short for periodic ends: a particle would meet "
                        "its own image; at least %g m",
                        w->period, least);
+    for (int c = 0; c < w->class_count; c++)
+        least = qn_max(least, 2 * w->classes[c].bound + qn_neighbours_skin(w));
+    if (w->period > 0 && w->period < least)
+        return qn_fail(QN_INPUT,
+                       "drum.length = %g m is too short for periodic ends: a clump would meet "
+                       "its own image; at least %g m",
+                       w->period, least);
     if (w->period > 0 && w->walls.mesh_count > 0)
         return qn_fail(QN_INPUT, "walls: a mesh does not continue through periodic ends; use fixed "
                                  "or turning ends");
@@ -53,25 +61,31 @@ static qn_status ledger_create(qn_world *w)
     return QN_ALLOCATE(w->ledger.torque_now, w->walls.part_count);
 }
 
-// Puts packed particles into the world's records.
+// Puts packed particles into the world's records, the spheres of a clump one after the other.
 static qn_status settle_in(qn_world *w, const qn_seedling *seedlings, int count)
 {
-    w->room = count;
-    w->count = count;
-    QN_TRY(QN_ALLOCATE(w->place, count));
-    QN_TRY(QN_ALLOCATE(w->motion, count));
-    QN_TRY(QN_ALLOCATE(w->load, count));
-    QN_TRY(QN_ALLOCATE(w->id, count));
-    for (int i = 0; i < count; i++) {
-        const qn_seedling *s = &seedlings[i];
-        double z = s->position.z;
-        if (w->period > 0) z = floor(z / w->lattice + 0.5) * w->lattice;
-        w->place[i] = (qn_place){s->position.x, s->position.y, z, s->klass, i};
+    QN_TRY(qn_bodies_allocate(w, seedlings, count));
+    w->room = w->count;
+    QN_TRY(QN_ALLOCATE(w->place, w->count));
+    QN_TRY(QN_ALLOCATE(w->motion, w->count));
+    QN_TRY(QN_ALLOCATE(w->load, w->count));
+    QN_TRY(QN_ALLOCATE(w->id, w->count));
+    int i = 0;
+    for (int k = 0; k < count; k++) {
+        const qn_seedling *s = &seedlings[k];
+        qn_vec3 at = s->position;
+        if (w->period > 0) at.z = floor(at.z / w->lattice + 0.5) * w->lattice;
+        if (w->classes[s->klass].grain >= 0) {
+            qn_bodies_add(w, s, k, at, &i);
+            continue;
+        }
+        w->place[i] = (qn_place){at.x, at.y, at.z, s->klass, i};
         w->motion[i].velocity = s->velocity;
         w->motion[i].spin = s->spin;
         w->id[i] = i + 1;
+        i++;
     }
-    return QN_OK;
+    return qn_bodies_check(w);
 }
 
 // Largest distance (m) from the axis at which a wall may be touched, with room to spare.
@@ -80,7 +94,9 @@ static double lever(const qn_world *w, const qn_seedling *seedlings, int count)
     double far = w->def.drum.present ? w->def.drum.diameter / 2 : 0;
     for (int i = 0; i < count; i++)
         far = qn_max(far, hypot(seedlings[i].position.x, seedlings[i].position.y));
-    return 4 * (far + w->largest_radius);
+    double bound = 0;
+    for (int c = 0; c < w->class_count; c++) bound = qn_max(bound, w->classes[c].bound);
+    return 4 * (far + bound);
 }
 
 static qn_status build(qn_world *w)
@@ -89,6 +105,7 @@ static qn_status build(qn_world *w)
     int count;
     choose_lattice(w);
     QN_TRY(qn_classes_build(&w->def, &w->classes, &w->class_count));
+    QN_TRY(qn_grains_build(w));
     w->smallest_radius = INFINITY;
     for (int i = 0; i < w->class_count; i++) {
         w->largest_radius = qn_max(w->largest_radius, w->classes[i].radius);
@@ -101,10 +118,11 @@ static qn_status build(qn_world *w)
     QN_TRY(qn_pairs_build(w));
     QN_TRY(ledger_create(w));
     QN_TRY(qn_pack(&w->def, w->classes, &w->walls, &seedlings, &count));
-    qn_units_choose(w, count, lever(w, seedlings, count));
+    double reach = lever(w, seedlings, count);
     qn_status status = settle_in(w, seedlings, count);
     free(seedlings);
     QN_TRY(status);
+    qn_units_choose(w, w->count, reach);
     return qn_neighbours_create(w);
 }
 
@@ -141,6 +159,11 @@ void qn_world_destroy(qn_world *w)
     free(w->motion);
     free(w->load);
     free(w->id);
+    free(w->grains);
+    free(w->bodies);
+    free(w->members);
+    free(w->shift);
+    free(w->body_of);
     free(w->ledger.work);
     free(w->ledger.impulse);
     free(w->ledger.torque_now);

@@ -25,5 +25,5 @@ def check(name, cells, arrays):
 
 
 check("frames.hdf.series", lambda a: a.GetNumberOfPoints() == 80 and a.GetNumberOfCells() == 1,
-      {"id", "class", "radius", "velocity", "speed", "spin"})
+      {"id", "body", "class", "radius", "velocity", "speed", "spin"})
 check("liner.hdf.series", lambda a: a.GetNumberOfCells() > 100, {"lifter"})

@@ -57,6 +57,8 @@ static void make_state(void)
     QN_CONTACT_FIELDS(F)
     group = "wall_contacts";
     QN_WALL_CONTACT_FIELDS(F)
+    group = "bodies";
+    QN_BODY_FIELDS(F)
 #undef F
 }
 

@@ -172,6 +172,13 @@ static const struct {
     {"count: 2500", "at: 0 0 0 m, count: 1", "s.yaml:18:64: error: particles.balls.count = 1 means nothing where fill is at"},
     {"count: 2500", "count: 2500, mass: 1 kg", "s.yaml:18:63: error: particles.balls.mass = 1 kg is given besides count; give one of count, filling, mass"},
     {"diameter: 3 mm, ", "", "s.yaml:18:3: error: particles.balls lacks the key 'diameter' (or 'sizes'): of every sphere; this or sizes"},
+    {"count: 2500", "count: 2500, shape: cube", "s.yaml:18:64: error: particles.balls.shape = cube is unknown; allowed: sphere tetrahedron file"},
+    {"count: 2500", "count: 2500, shape: tetrahedron, spacing: 5", "s.yaml:18:86: error: particles.balls.spacing = 5 must be above 0 and at most 4 (between the centres of a tetrahedron's spheres, in their radii)"},
+    {"count: 2500", "count: 2500, spacing: 1", "s.yaml:18:66: error: particles.balls.spacing = 1 means nothing where shape is not tetrahedron"},
+    {"count: 2500", "count: 2500, turned: 0 0 1 rad", "s.yaml:18:65: error: particles.balls.turned = 0 0 1 rad means nothing for spheres"},
+    {"count: 2500", "count: 2500, shape: file", "s.yaml:18:3: error: particles.balls lacks the key 'shape_file': CSV of a clump's spheres: x y z radius, in any unit as diameter gives the size"},
+    {"count: 2500", "count: 2500, shape: file, shape_file: none.csv", "s.yaml:18:82: error: particles.balls.shape_file = none.csv cannot be used: "},
+    {"count: 2500", "count: 2500, shape: tetrahedron, fixed: yes, spin: 0 0 1 rad/s", "s.yaml:18:95: error: particles.balls.spin = 0 0 1 rad/s means nothing for clumps that are fixed"},
     {"  balls:", "  red balls:", "s.yaml:18:3: error: 'red balls' cannot be the name of a group of particles: use up to 47 letters, digits, '_', '-', '.'"},
     {"measure: {", "output: {frames: 10 steps, checkpoint: 5 steps}\nmeasure: {", "s.yaml:19:40: error: output.checkpoint = 5 steps should be a time (s, ms, us, ns, min, h), but steps is the unit of time steps"},
 };
@@ -294,6 +301,31 @@ static void fractions_by_mass_become_fractions_by_number(void)
     CHECK(o.status == QN_OK && o.def.groups[0].size_count == 2);
     CHECK_NEAR(o.def.groups[0].fraction[0], 8.0 / 9, 1e-15);
     CHECK_NEAR(o.def.groups[0].fraction[1], 1.0 / 9, 1e-15);
+    release(&o);
+}
+
+static void clumps_are_read_as_they_are_meant(void)
+{
+    outcome o = read_changed("count: 2500", "count: 2500, shape: tetrahedron, spacing: 1.2");
+    CHECK(o.status == QN_OK && o.def.shape_count == 1);
+    const qn_group_def *g = o.def.groups;
+    CHECK(g->shape == 1 && g->turned_at_random && o.def.shapes[0].count == 4);
+    CHECK(o.def.shapes[0].is_round);
+    release(&o);
+    qn_def def;
+    qn_messages messages = {0};
+    CHECK(qn_scene_read(QUERN_SOURCE_DIR "/scenes/clumps.yaml", &def, NULL, &messages) == QN_OK);
+    CHECK(def.shape_count == 2 && def.groups[0].shape == 0);
+    CHECK(def.groups[1].shape == 1 && def.groups[2].shape == 2);
+    const qn_shape *rod = &def.shapes[1];
+    CHECK(rod->count == 3 && !rod->is_round);
+    double across = rod->radius[1] / rod->radius[0];
+    CHECK_NEAR(across, 1 / 0.9, 1e-11);
+    qn_def_free(&def);
+    qn_messages_free(&messages);
+    o = read_changed("count: 2500", "at: 0 0 4 mm, shape: tetrahedron, turned: 0 0 90 deg");
+    CHECK(o.status == QN_OK && !o.def.groups[0].turned_at_random);
+    CHECK_NEAR(o.def.groups[0].turned.z, QN_PI / 2, 1e-15);
     release(&o);
 }
 
@@ -484,6 +516,7 @@ int main(int argc, char **argv)
     TEST(no_more_than_fifty_errors_are_told);
     TEST(what_is_no_scene_at_all_is_refused);
     TEST(fractions_by_mass_become_fractions_by_number);
+    TEST(clumps_are_read_as_they_are_meant);
     TEST(a_schedule_gives_every_leg);
     TEST(a_box_is_six_planes_that_face_inwards);
     TEST(a_resolved_scene_reads_as_the_same_scene);

@@ -39,7 +39,11 @@ static inline qn_world *fake_mill(int lifters, double speed, double radius, doub
     w->class_count = 1;
     w->classes = calloc(1, sizeof *w->classes);
     double mass = 2500 * 4.0 / 3 * QN_PI * radius * radius * radius;
-    w->classes[0] = (qn_class){.radius = radius,
+    w->classes[0] = (qn_class){.grain = -1,
+                               .radius = radius,
+                               .bound = radius,
+                               .volume = mass / 2500,
+                               .least_mass = mass,
                                .mass = mass,
                                .inertia = 0.4 * mass * radius * radius,
                                .inverse_mass = 1 / mass,

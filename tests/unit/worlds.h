@@ -67,6 +67,17 @@ static inline qn_group_def *add_ball(qn_def *def, double diameter, qn_vec3 at, q
     return g;
 }
 
+/// Adds a clump's shape; returns its number, for a group's `shape`.
+static inline int add_shape(qn_def *def, const double *centres, const double *radii, int count)
+{
+    double radius;
+    size_t n = (size_t)def->shape_count++;
+    def->shapes = realloc(def->shapes, (n + 1) * sizeof *def->shapes);
+    if (qn_shape_of(centres, radii, count, &def->shapes[n], &radius) != QN_OK)
+        printf("  %s\n", qn_error());
+    return (int)n + 1;
+}
+
 /// Adds a plane of liner through a point.
 static inline void add_plane(qn_def *def, const char *name, qn_vec3 point, qn_vec3 normal)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One time step on the CPU: shares in parallel, each on one thread.
 #include "step/step.h"
+#include "step/bodies.h"
 #include "step/cpu/kernel.h"
 #include "step/guards.h"
 
@@ -104,6 +105,7 @@ qn_status qn_step_forces(qn_world *w, qn_mode mode)
     if (w->neighbours->stale) QN_TRY(qn_neighbours_rebuild(w));
     place_images(w);
     QN_TRY(contacts(w, &pose, mode));
+    qn_bodies_load(w);
     tally(w);
     w->committed = mode == QN_COMMIT;
     return qn_guard_overlap(w);
@@ -116,15 +118,17 @@ qn_status qn_step_begin(qn_world *w)
     QN_TRY(qn_step_forces(w, QN_PROBE));
     for (int i = 0; i < w->count; i++) {
         qn_motion *m = &w->motion[i];
+        if (qn_body_of(w, i) >= 0) continue;
         qn_scheme scheme = w->def.scheme;
         qn_kept v = qn_scheme_begin(scheme, m->velocity, qn_acceleration(w, i), w->dt);
         qn_kept s = qn_scheme_begin(scheme, m->spin, qn_angular_acceleration(w, i), w->dt);
         *m = (qn_motion){v.velocity, s.velocity, v.kick, s.kick};
     }
+    qn_bodies_begin(w);
     return QN_OK;
 }
 
-// Kick and drift of the particles [first, last). Returns whether one has used up half the skin.
+// Kick and drift of the balls among the particles [first, last). Returns whether one has used up half the skin.
 static bool move(qn_world *w, int first, int last, bool *lost)
 {
     double half_skin2 = 0.25 * w->neighbours->skin * w->neighbours->skin;
@@ -132,6 +136,7 @@ static bool move(qn_world *w, int first, int last, bool *lost)
     bool spent = false, unsound = false;
     qn_scheme scheme = w->def.scheme;
     for (int i = first; i < last; i++) {
+        if (qn_body_of(w, i) >= 0) continue;
         qn_motion *m = &w->motion[i];
         qn_place *p = &w->place[i];
         const qn_anchor *anchor = &w->neighbours->anchor[i];
@@ -171,8 +176,10 @@ qn_status qn_step_advance(qn_world *w)
         spent |= move(w, nb->shares[t].first, nb->shares[t].last, &lost);
         unsound |= lost;
     }
+    double fast = QN_FAST * w->smallest_radius / w->dt;
+    qn_bodies_advance(w, fast, &spent, &unsound);
     nb->stale |= spent;
     w->step++;
     w->committed = false;
-    return unsound ? qn_guard_speed(w, QN_FAST * w->smallest_radius / w->dt) : QN_OK;
+    return unsound ? qn_guard_speed(w, fast) : QN_OK;
 }
