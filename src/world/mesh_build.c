@@ -306,7 +306,6 @@ static qn_status build(const qn_mesh_def *def, double reach, qn_mesh *m)
     QN_TRY(check(def, reach));
     memcpy(m->name, def->name, sizeof m->name);
     m->material = def->material;
-    m->turning = def->turning;
     m->reach = reach;
     QN_TRY(weld(def, m));
     QN_TRY(find_edges(m));

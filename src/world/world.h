@@ -17,6 +17,7 @@
 #include "world/def.h"
 #include "world/ledger.h"
 #include "world/walls.h"
+#include "world/wear.h"
 
 /// Particles of one material and size.
 typedef struct qn_class {
@@ -79,6 +80,7 @@ typedef struct qn_world {
     qn_pair *wall_pairs;      //       owned; as wall_laws
     double energy_unit;       // J     quantum of the energy sums, a power of two
     double part_torque_unit;  // N m   quantum of the wall parts' torque sums, likewise
+    double part_force_unit;   // N     and of their force sums
     double largest_radius, smallest_radius;  // m
     qn_walls walls;                          //       owned
 
@@ -91,6 +93,7 @@ typedef struct qn_world {
     qn_load *load;              //       owned
     int64_t *id;                //       owned; from 1, never reused
     qn_ledger ledger;           //       owned; energies lost and work done since step 0
+    qn_wear wear;               //       owned; what the walls' facets have suffered since step 0
     qn_neighbours *neighbours;  //       owned; the pair list, with the contacts' history
     int threads;
     bool started;    //       velocities are half a step back (qn_step_begin)
@@ -119,6 +122,9 @@ static inline qn_vec3 qn_world_position(const qn_world *world, int i)
     if (world->period > 0) z -= floor(z / world->period) * world->period;
     return qn_v3(p->x, p->y, z);
 }
+
+/// What all facets of a part of the walls have suffered (J). Cost: O(facets of the part).
+double qn_walls_worn(const qn_world *world, int part, int which);
 
 /// Acceleration (m/s2) and angular acceleration (rad/s2) of particle i at the present step; valid
 /// between qn_step_forces() and qn_step_advance().
