@@ -29,6 +29,14 @@ typedef struct qn_mesh_edge {
     qn_vec3 along;     // 1  unit direction from a to b
 } qn_mesh_edge;
 
+/// A disc that holds a triangle, about its centroid: what tells most triangles off at the cost of one
+/// cache line.
+typedef struct qn_mesh_disc {
+    qn_vec3 middle, normal;  // m, 1
+    double radius;           // m
+    double unused;
+} qn_mesh_disc;
+
 typedef struct qn_mesh {
     char name[QN_NAME_MAX];
     int material;
@@ -40,6 +48,7 @@ typedef struct qn_mesh {
     qn_mesh_edge *edges;   //    owned
     int *triangle_edges;   //    3 x triangle_count, owned; edge k runs from corner k to k + 1
     qn_vec3 *normals;      // 1  of each triangle, owned
+    qn_mesh_disc *discs;   //    around each triangle, owned
     qn_vec3 *sides;        // 1  3 x triangle_count, owned: in the triangle's plane, out over edge k
     qn_vec3 *wedges;       // 1  owned; the sides of the triangles at each edge
     int *vertex_owner;     //    lowest triangle at each vertex, owned
