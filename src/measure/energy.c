@@ -14,17 +14,20 @@ typedef struct sums {
     bool broken;     //     a number that no sum can hold
 } sums;
 
-// Half of this step's share (torque times speed times dt) belongs to the time up to step n.
+// Half of this step's share belongs to the time up to step n.
 double qn_part_work(const qn_world *w, int p)
 {
-    if (!w->walls.parts[p].turning) return w->ledger.work[p];
-    double speed = qn_drum_speed(&w->walls.drum, qn_world_time(w));
-    return w->ledger.work[p] + 0.5 * w->dt * w->ledger.torque_now[p] * speed;
+    return w->ledger.work[p] + 0.5 * w->dt * w->ledger.power_now[p];
 }
 
 double qn_part_impulse(const qn_world *w, int p)
 {
     return w->ledger.impulse[p] + 0.5 * w->dt * w->ledger.torque_now[p];
+}
+
+double qn_part_push(const qn_world *w, int p, int axis)
+{
+    return w->ledger.push[3 * p + axis] + 0.5 * w->dt * w->ledger.force_now[3 * p + axis];
 }
 
 double qn_drive_work(const qn_world *w)

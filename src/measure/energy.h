@@ -20,11 +20,13 @@ typedef struct qn_balance {
     qn_vec3 centre;                // m     centre of mass of what moves; 0 without
 } qn_balance;
 
-/// Work (J) a part has done on the particles, and its torque times time (N m s), up to step n.
+/// Work (J) a part has done on the particles, its torque times time (N m s), and its force along an axis
+/// (0 to 2) times time (N s), up to step n.
 double qn_part_work(const qn_world *world, int part);
 double qn_part_impulse(const qn_world *world, int part);
+double qn_part_push(const qn_world *world, int part, int axis);
 
-/// Work (J) of all parts that turn.
+/// Work (J) of all parts that turn with the drum.
 double qn_drive_work(const qn_world *world);
 
 /// The balance of the present step. QN_UNSTABLE where a velocity or position is not finite or beyond

@@ -44,6 +44,8 @@ qn_status qn_series_create(const qn_world *w, qn_series *s)
     QN_TRY(QN_ALLOCATE(s->columns, s->column_count));
     QN_TRY(QN_ALLOCATE(s->row, s->column_count));
     QN_TRY(QN_ALLOCATE(s->impulse, s->part_count));
+    QN_TRY(QN_ALLOCATE(s->part_work, s->part_count));
+    QN_TRY(QN_ALLOCATE(s->push, 3 * s->part_count));
     qn_series_column *c = s->columns;
     for (int i = 0; i < PLAIN; i++, c++) {
         snprintf(c->name, sizeof c->name, "%s", plain[i].name);
@@ -64,6 +66,8 @@ void qn_series_free(qn_series *s)
     free(s->columns);
     free(s->row);
     free(s->impulse);
+    free(s->part_work);
+    free(s->push);
     memset(s, 0, sizeof *s);
 }
 
@@ -123,7 +127,11 @@ void qn_series_take(qn_series *s, const qn_world *w, const qn_balance *b)
     s->time = qn_world_time(w);
     s->work = b->work;
     s->lost = b->lost;
-    for (int p = 0; p < s->part_count; p++) s->impulse[p] = qn_part_impulse(w, p);
+    for (int p = 0; p < s->part_count; p++) {
+        s->impulse[p] = qn_part_impulse(w, p);
+        s->part_work[p] = qn_part_work(w, p);
+        for (int k = 0; k < 3; k++) s->push[3 * p + k] = qn_part_push(w, p, k);
+    }
 }
 
 int qn_series_state(qn_series *s, qn_column *columns, int room)
@@ -136,6 +144,10 @@ int qn_series_state(qn_series *s, qn_column *columns, int room)
         {"series_lost", "J", "losses up to the latest row", QN_DOUBLE, 1, 1, &s->lost},
         {"series_impulse", "N m s", "torque times time by part up to it", QN_DOUBLE, 1,
          s->part_count, s->impulse},
+        {"series_part_work", "J", "work by part up to it", QN_DOUBLE, 1, s->part_count,
+         s->part_work},
+        {"series_push", "N s", "force times time by part up to it", QN_DOUBLE, 3, s->part_count,
+         s->push},
         {"series_start", "J", "energy balance at the start of the run, as struct qn_balance",
          QN_DOUBLE, 1, sizeof s->start / sizeof(double), &s->start},
     };

@@ -2,7 +2,8 @@
 // The time series: one row of numbers every so many steps.
 //
 // One list names the columns with unit, meaning and expression; after them come, for each part of the
-// walls, its work, its torque times time, and its mean torque since the row before.
+// walls, its work, torque, power and force on the particles. A part's torque is told about the line it turns
+// about, else about z.
 #ifndef QN_MEASURE_SERIES_H
 #define QN_MEASURE_SERIES_H
 
@@ -45,7 +46,11 @@
 #define QN_SERIES_PART_COLUMNS(C)                                                                  \
     C(work,      "J",     "_j",       qn_part_work(w, p),            "work done by this part on the particles so far") \
     C(impulse,   "N m s", "_n_m_s",   qn_part_impulse(w, p),         "its torque about the axis on the particles times time so far") \
-    C(torque,    "N m",   "_n_m",     since(w, s, qn_part_impulse(w, p) - s->impulse[p]), "that torque, mean since the row before")
+    C(torque,    "N m",   "_n_m",     since(w, s, qn_part_impulse(w, p) - s->impulse[p]), "that torque, mean since the row before") \
+    C(power,     "W",     "_w",       since(w, s, qn_part_work(w, p) - s->part_work[p]), "its work by time since the row before") \
+    C(force_x,   "N",     "_n",       since(w, s, qn_part_push(w, p, 0) - s->push[3 * p]), "its force on the particles, mean since the row before, along x") \
+    C(force_y,   "N",     "_n",       since(w, s, qn_part_push(w, p, 1) - s->push[3 * p + 1]), "along y") \
+    C(force_z,   "N",     "_n",       since(w, s, qn_part_push(w, p, 2) - s->push[3 * p + 2]), "along z")
 // clang-format on
 
 typedef struct qn_series_column {
@@ -61,8 +66,9 @@ typedef struct qn_series {
     int64_t begun;            //     0 before the start is known, then 1
     int64_t row_step;         //     step of the row before; -1 for none
     double time, work, lost;  // s, J, J   of the row before
-    double *impulse;          // N m s   by part, of the row before; owned
-    qn_balance start;         //     the balance at the start of the run
+    // Of each part, up to the row before; owned.
+    double *impulse, *part_work, *push;  // N m s, J, N s   the last with x, y and z
+    qn_balance start;                    //     the balance at the start of the run
 } qn_series;
 
 QN_NODISCARD qn_status qn_series_create(const qn_world *world, qn_series *series);

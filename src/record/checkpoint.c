@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEDGER_COLUMNS = 5, RUN_COLUMNS = 3, CLASS_COLUMNS = 4 };
+enum { LEDGER_COLUMNS = 6, RUN_COLUMNS = 3, CLASS_COLUMNS = 4 };
 
 // ---- Columns of each group -----------------------------------------------------------------------
 
@@ -67,6 +67,23 @@ static void ledger_columns(const qn_ledger *l, qn_column *out)
                          1,         &w->deepest};
     out[4] = (qn_column){"deepest_step",  "1", "step of the largest overlap", QN_INT64, 1, 1,
                          &w->deepest_step};
+    out[5] = (qn_column){"push",        "N s",  "force of each part times time", QN_DOUBLE, 3,
+                         w->part_count, w->push};
+}
+
+/// What the walls' facets have suffered, each sum as low + 2^61 high quanta.
+static qn_status move_wear(hid_t file, const qn_world *w, bool read)
+{
+    qn_wear *wear = (qn_wear *)&w->wear;  // as above; settling changes the form of a sum only
+    int64_t rows = wear->facet_count;
+    if (rows == 0) return QN_OK;
+    const int width = 2 * QN_WEAR_COUNT;
+    const qn_column column = {"sums",      "1",   "low words, then high words, of each sum",
+                              QN_INT64,    width, rows,
+                              wear->facets};
+    if (read) return qn_table_read(file, "wear", &column, 1);
+    qn_wear_settle(wear);
+    return qn_table_write(file, "wear", &column, 1, true);
 }
 
 static void run_columns(qn_progress *p, int64_t *started, qn_column *out)
@@ -165,6 +182,7 @@ static qn_status put_all(hid_t file, const qn_world *w, const qn_state *state, q
     QN_TRY(move_state(file, state, false));
     QN_TRY(put_classes(file, w));
     QN_TRY(put_ledger(file, &w->ledger));
+    QN_TRY(move_wear(file, w, false));
     QN_TRY(move_measure(file, measure, false));
     return qn_table_write(file, "run", run, RUN_COLUMNS, false);
 }
@@ -269,6 +287,7 @@ static qn_status get_all(hid_t file, qn_world *w, qn_measure *measure, qn_progre
     QN_TRY(get_state(file, w, p));
     ledger_columns(&w->ledger, ledger);
     QN_TRY(qn_table_read(file, "ledger", ledger, LEDGER_COLUMNS));
+    QN_TRY(move_wear(file, w, true));
     QN_TRY(move_measure(file, measure, true));
     return get_run(file, w, p);
 }

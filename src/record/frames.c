@@ -190,15 +190,42 @@ static qn_status write_particles(const char *path, const qn_world *w)
 
 // ---- Liner ---------------------------------------------------------------------------------------
 
+/// What a facet has suffered, by its area, for each cell.
+static qn_status put_wear(hid_t file, const qn_world *w, const qn_liner *l)
+{
+    static const struct {
+        const char *name, *unit, *meaning;
+    } works[] = {
+#define W(NAME, name, unit, meaning) {#name, unit "/m2", meaning ", by the area of the facet"},
+        QN_WEARS(W)
+#undef W
+    };
+    float *values;
+    qn_status status = QN_ALLOCATE(values, l->cell_count);
+    for (int k = 0; status == QN_OK && k < QN_WEAR_COUNT; k++) {
+        for (int64_t c = 0; c < l->cell_count; c++)
+            values[c] = (float)(qn_wear_value(&w->wear, l->facet[c], k) / l->area[c]);
+        const qn_column column = {works[k].name, works[k].unit, works[k].meaning, QN_FLOAT, 1,
+                                  l->cell_count, values};
+        status = qn_table_write(file, "VTKHDF/CellData", &column, 1, true);
+    }
+    free(values);
+    return status;
+}
+
 static qn_status put_liner(hid_t file, const qn_world *w, const qn_liner *l, const uint8_t *types)
 {
-    const qn_column data = {"lifter", "1", "number of the lifter from 1, 0 for shell and meshes",
-                            QN_INT32, 1,   l->cell_count,
-                            l->lifter};
+    const qn_column data[] = {
+        {"lifter", "1", "number of the lifter from 1, 0 for shell and meshes", QN_INT32, 1,
+         l->cell_count, l->lifter},
+        {"part", "1", "of the walls, numbered from 0 as in series.csv", QN_INT32, 1, l->cell_count,
+         l->part},
+    };
     QN_TRY(put_about(file, w));
     if (w->walls.has_drum) QN_TRY(qn_h5_put_number(file, "drum_radius_m", w->walls.profile.radius));
     QN_TRY(put_grid(file, l->points, l->point_count, l->corners, l->offsets, l->cell_count, types));
-    return qn_table_write(file, "VTKHDF/CellData", &data, 1, true);
+    QN_TRY(qn_table_write(file, "VTKHDF/CellData", data, sizeof data / sizeof *data, true));
+    return put_wear(file, w, l);
 }
 
 static qn_status write_liner(const char *path, const qn_world *w)

@@ -10,8 +10,10 @@ typedef struct qn_liner {
     float *points;     // m   3 x point_count, in the lab frame; owned
     int64_t *corners;  //     indices of points, cell after cell; owned
     int64_t *offsets;  //     cell_count + 1, where each cell begins in corners; owned
-    int32_t
-        *lifter;  //     of each cell: number of the lifter from 1, 0 for shell and meshes; owned
+    // Of each cell: number of the lifter from 1, 0 for shell and meshes; the part of the walls; the facet
+    // whose wear it shows. Owned.
+    int32_t *lifter, *part, *facet;
+    double *area;  // m2   of that facet; owned
 } qn_liner;
 
 /// Draws the walls as they stand at time t (s). Arcs are cut into pieces of at most 3 degrees; ends

@@ -54,6 +54,28 @@ static void put_power(qn_json *j, const qn_world *w, const qn_measure *m)
     qn_json_close(j);
 }
 
+/// Of each part of the walls, over the whole run: work, mean power, force and torque, and wear.
+static void put_parts(qn_json *j, const qn_world *w)
+{
+    double time = qn_world_time(w);
+    qn_json_open(j, "walls", '{');
+    for (int p = 0; p < w->walls.part_count; p++) {
+        qn_json_open(j, w->walls.parts[p].name, '{');
+        qn_json_number(j, "work_j", qn_part_work(w, p));
+        qn_json_number(j, "mean_power_w", qn_part_work(w, p) / time);
+        qn_json_number(j, "mean_torque_n_m", qn_part_impulse(w, p) / time);
+        qn_json_number(j, "mean_force_x_n", qn_part_push(w, p, 0) / time);
+        qn_json_number(j, "mean_force_y_n", qn_part_push(w, p, 1) / time);
+        qn_json_number(j, "mean_force_z_n", qn_part_push(w, p, 2) / time);
+#define W(NAME, name, unit, meaning) \
+    qn_json_number(j, #name "_j", qn_walls_worn(w, p, QN_WEAR_##NAME));
+        QN_WEARS(W)
+#undef W
+        qn_json_close(j);
+    }
+    qn_json_close(j);
+}
+
 static double value_of(const qn_measure *m, const double *row, const char *name)
 {
     return row ? qn_measure_value(m, row, name) : (double)NAN;
@@ -89,6 +111,7 @@ qn_status qn_summary_write(const char *path, const qn_world *world, const qn_mea
     put_run(&json, world, progress, finished);
     put_drum(&json, world);
     put_power(&json, world, measure);
+    put_parts(&json, world);
     qn_status status = put_charge(&json, world, measure, row);
     qn_json_hex(&json, "state_hash", progress->state_hash);
     qn_status ended = qn_json_end(&json, &text);

@@ -23,6 +23,17 @@ QN_NODISCARD qn_status qn_build_shape(qn_reader *r, const qn_group_keys *keys, q
 /// never turns.
 void qn_build_check(qn_reader *r, const qn_scene_keys *scene);
 
+/// How a wall moves: the value of its key `motion`, which may not be written.
+void qn_build_motion(qn_reader *r, const qn_value *motion, qn_drive_def *drive);
+
+/// The number of a speed, with a message where it is not of the dimension wanted.
+typedef double qn_speed_of(qn_reader *r, const qn_value *v, int wanted);
+
+/// Legs of a schedule whose entries are read as `section`, and those of rest, ramp and constant speed.
+void qn_build_schedule(qn_reader *r, const qn_value *schedule, qn_section_id section,
+                       qn_speed_of *speed, int wanted, qn_leg *legs, int *count);
+void qn_build_legs(double settle, double ramp, double speed, qn_leg *legs, int *count);
+
 /// Index of the material a key names, -1 where that could not be read.
 static inline int qn_material_of(const qn_value *v)
 {

@@ -10,66 +10,13 @@
 /// A speed in rad/s; %critical is of the speed at which gravity just holds a point mass to the shell,
 /// sqrt(2 g / D), D being the diameter inside the shell. Where speed or diameter could not be read it
 /// is 1, so that no more is said about a drum at rest.
-static double speed_of(const qn_reader *r, const qn_value *v)
+static double speed_of(qn_reader *r, const qn_value *v, int unused)
 {
+    (void)unused;
     double diameter = r->def->drum.diameter;
     if (!v->set) return 1;
     if (v->dimension != QN_DIMENSION_CRITICAL) return v->number;
     return diameter > 0 ? v->number * sqrt(2 * qn_norm(r->def->gravity) / diameter) : 1;
-}
-
-static void add_leg(qn_drum_def *d, double duration, double from, double to)
-{
-    if (d->leg_count < QN_LEGS_MAX) d->legs[d->leg_count++] = (qn_leg){duration, from, to};
-}
-
-static double last_speed(const qn_drum_def *d)
-{
-    return d->leg_count > 0 ? d->legs[d->leg_count - 1].to : 0;
-}
-
-static void read_leg(qn_reader *r, const qn_node *node, int index)
-{
-    qn_drum_def *d = &r->def->drum;
-    qn_leg_keys k;
-    qn_section_from from = qn_section_entry(r, "drum.schedule", node, index);
-    qn_section_read(r, QN_SECTION_LEG, from, &k);
-    if (k.at.set && (k.from.node || k.to.node)) {
-        qn_complain(r, &k.at, "is a constant speed: leave out from and to");
-        return;
-    }
-    if (!k.at.set && !k.to.set && !k.at.node && !k.to.node) {
-        qn_complain_at(r, from.mark, "%s lacks the key 'to' or 'at': the speed of this leg",
-                       from.path);
-        return;
-    }
-    if (!k.duration.set && node->next && !k.duration.node)
-        qn_complain_at(r, from.mark,
-                       "%s lacks the key 'duration', which only the last may leave out", from.path);
-    double to = speed_of(r, k.at.set ? &k.at : &k.to);
-    double start = k.at.set ? to : k.from.set ? speed_of(r, &k.from) : last_speed(d);
-    if (!k.duration.set && start != to && !k.duration.node)
-        qn_complain_at(r, from.mark, "%s changes the speed, so it needs the key 'duration'",
-                       from.path);
-    add_leg(d, k.duration.set ? k.duration.number : HUGE_VAL, start, to);
-}
-
-static void read_schedule(qn_reader *r, const qn_value *schedule)
-{
-    qn_drum_def *d = &r->def->drum;
-    int n = 0;
-    for (const qn_node *c = schedule->node->first; c; c = c->next, n++) {
-        if (n == QN_LEGS_MAX - 1 && c->next) {
-            qn_complain_at(r, c->mark, "drum.schedule has more than %d legs", QN_LEGS_MAX);
-            return;
-        }
-        read_leg(r, c, n);
-    }
-    if (n == 0) qn_complain(r, schedule, "has no leg");
-    if (d->leg_count == QN_LEGS_MAX && isfinite(d->legs[QN_LEGS_MAX - 1].duration))
-        qn_complain(r, schedule, "has no room for a leg after the last: leave out its duration");
-    if (d->leg_count > 0 && isfinite(d->legs[d->leg_count - 1].duration))
-        add_leg(d, HUGE_VAL, last_speed(d), last_speed(d));
 }
 
 static void read_speed(qn_reader *r, const qn_drum_keys *k, qn_mark mark)
@@ -81,17 +28,16 @@ static void read_speed(qn_reader *r, const qn_drum_keys *k, qn_mark mark)
             if (besides[i]->node)
                 qn_complain(r, besides[i],
                             "cannot stand beside drum.schedule, which gives all speeds");
-        if (k->schedule.set) read_schedule(r, &k->schedule);
+        if (k->schedule.set)
+            qn_build_schedule(r, &k->schedule, QN_SECTION_LEG, speed_of, 0, d->legs, &d->leg_count);
         return;
     }
     if (!k->speed.set && !k->speed.node)
         qn_complain_at(r, mark,
                        "drum lacks the key 'speed' (or 'schedule'), such as speed: 70 "
                        "%%critical");
-    double speed = speed_of(r, &k->speed);
-    if (k->settle.number > 0) add_leg(d, k->settle.number, 0, 0);
-    if (k->ramp.number > 0) add_leg(d, k->ramp.number, 0, speed);
-    add_leg(d, HUGE_VAL, speed, speed);
+    qn_build_legs(k->settle.number, k->ramp.number, speed_of(r, &k->speed, 0), d->legs,
+                  &d->leg_count);
 }
 
 /// Bars that are as wide as the shell allows, and no higher.
@@ -147,7 +93,7 @@ qn_status qn_build_drum(qn_reader *r, const qn_scene_keys *scene)
     if (!scene->drum.set && scene->drum.node) {  // so that nobody misses the drum or its turning
         d->present = true;
         d->material = d->end_material = -1;
-        add_leg(d, HUGE_VAL, 1, 1);
+        qn_build_legs(0, 0, 1, d->legs, &d->leg_count);
     }
     if (!scene->drum.set) return QN_OK;
     qn_section_from from = qn_section_under(r, &scene->drum);
@@ -175,9 +121,10 @@ qn_status qn_build_drum(qn_reader *r, const qn_scene_keys *scene)
 }
 
 static void add_plane(qn_def *def, const char *name, const char *suffix, int material,
-                      qn_vec3 point, qn_vec3 normal)
+                      qn_vec3 point, qn_vec3 normal, const qn_drive_def *drive)
 {
     qn_plane_def *p = &def->planes[def->plane_count++];
+    p->drive = *drive;
     snprintf(p->name, sizeof p->name, "%.*s%s", QN_NAME_MAX - 4, name, suffix);
     p->material = material;
     p->point = point;
@@ -189,12 +136,14 @@ static void read_plane(qn_reader *r, qn_section_from from, const char *name)
     qn_plane_keys k;
     qn_section_read(r, QN_SECTION_PLANE, from, &k);
     qn_vec3 normal = qn_vector_of(&k.normal);
+    qn_drive_def drive = {0};
     double length = qn_norm(normal);
+    qn_build_motion(r, &k.motion, &drive);
     if (k.normal.set && !(length > 0 && isfinite(length)))
         qn_complain(r, &k.normal,
                     "has no direction; give a vector to the side where particles live");
     add_plane(r->def, name, "", qn_material_of(&k.material), qn_vector_of(&k.point),
-              length > 0 ? qn_scale(1 / length, normal) : normal);
+              length > 0 ? qn_scale(1 / length, normal) : normal, &drive);
 }
 
 static void read_box(qn_reader *r, qn_section_from from, const char *name)
@@ -202,6 +151,8 @@ static void read_box(qn_reader *r, qn_section_from from, const char *name)
     qn_box_keys k;
     qn_section_read(r, QN_SECTION_BOX, from, &k);
     qn_vec3 low = qn_vector_of(&k.low), high = qn_vector_of(&k.high);
+    qn_drive_def drive = {0};
+    qn_build_motion(r, &k.motion, &drive);
     if (k.low.set && k.high.set && !(low.x < high.x && low.y < high.y && low.z < high.z))
         qn_complain(r, &k.high, "must be above low, %s, in each coordinate", k.low.text);
     static const char *const suffixes[] = {"_x0", "_x1", "_y0", "_y1", "_z0", "_z1"};
@@ -209,7 +160,7 @@ static void read_box(qn_reader *r, qn_section_from from, const char *name)
         double side = i % 2 ? -1 : 1;
         qn_vec3 normal = qn_v3(i / 2 == 0 ? side : 0, i / 2 == 1 ? side : 0, i / 2 == 2 ? side : 0);
         add_plane(r->def, name, suffixes[i], qn_material_of(&k.material), i % 2 ? high : low,
-                  normal);
+                  normal, &drive);
     }
 }
 
@@ -220,9 +171,13 @@ static void read_mesh(qn_reader *r, qn_section_from from, const char *name)
     qn_mesh_def *m = &r->def->meshes[r->def->mesh_count++];
     snprintf(m->name, sizeof m->name, "%s", name);
     m->material = qn_material_of(&k.material);
-    m->turning = k.turning.choice == 1;
-    if (m->turning && !r->def->drum.present)
-        qn_complain(r, &k.turning, "needs a drum to turn with");
+    qn_build_motion(r, &k.motion, &m->drive);
+    if (k.turning.choice == 1) {
+        if (!r->def->drum.present) qn_complain(r, &k.turning, "needs a drum to turn with");
+        if (k.motion.node)
+            qn_complain(r, &k.turning, "cannot stand beside a motion of the wall's own");
+        m->drive = (qn_drive_def){.kind = QN_DRIVE_DRUM};
+    }
     char path[QN_PATH_MAX];
     if (!k.file.set || !qn_file_of(r, &k.file, path)) return;
     if (qn_load_mesh(path, k.unit.number, &m->vertices, &m->vertex_count, &m->triangles,

@@ -125,14 +125,16 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(at,                 NUMBER,  SPEED,        "",          "",                 "",               FIXED, "constant speed, instead of from and to")
 
 #define QN_PLANE_KEYS(K)                                                                                                            \
-    K(shape,              WORD,    PURE,         "",          "plane",            REQUIRED,         FIXED, "an infinite plane at rest")     \
+    K(shape,              WORD,    PURE,         "",          "plane",            REQUIRED,         FIXED, "an infinite plane")             \
     K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the wall")                   \
+    K(motion,             MAP,     PURE,         "",          "",                 "",               FIXED, "how it moves; at rest if not written") \
     K(point,              VECTOR,  LENGTH,       "",          "",                 "0 0 0 m",        FIXED, "on the plane")                  \
     K(normal,             VECTOR,  PURE,         "",          "",                 REQUIRED,         FIXED, "to the side where particles live; any length")
 
 #define QN_BOX_KEYS(K)                                                                                                              \
-    K(shape,              WORD,    PURE,         "",          "box",              REQUIRED,         FIXED, "six planes at rest, particles inside") \
+    K(shape,              WORD,    PURE,         "",          "box",              REQUIRED,         FIXED, "six planes, particles inside") \
     K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the walls")                  \
+    K(motion,             MAP,     PURE,         "",          "",                 "",               FIXED, "how it moves; at rest if not written") \
     K(low,                VECTOR,  LENGTH,       "",          "",                 REQUIRED,         FIXED, "corner with the smallest x, y and z") \
     K(high,               VECTOR,  LENGTH,       "",          "",                 REQUIRED,         FIXED, "corner with the largest x, y and z")
 
@@ -141,7 +143,27 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the wall")                   \
     K(file,               FILE,    PURE,         "",          "",                 REQUIRED,         FIXED, "STL, OBJ, PLY or text, relative to the scene") \
     K(unit,               UNIT,    PURE,         "",          "",                 "mm",             FIXED, "of the file's numbers")         \
-    K(turning,            YESNO,   PURE,         "",          "",                 "no",             FIXED, "with the drum")
+    K(turning,            YESNO,   PURE,         "",          "",                 "no",             FIXED, "with the drum; instead of motion") \
+    K(motion,             MAP,     PURE,         "",          "",                 "",               FIXED, "how it moves; at rest if not written")
+
+#define QN_MOTION_KEYS(K)                                                                                                           \
+    K(kind,               WORD,    PURE,         "",          "rotate swing translate oscillate", REQUIRED, FIXED, "about an axis, or along a direction; swing and oscillate go to and fro") \
+    K(axis,               VECTOR,  PURE,         "",          "",                 "0 0 1",          FIXED, "rotate, swing: the axis turned about, right-handed; any length") \
+    K(through,            VECTOR,  LENGTH,       "",          "",                 "0 0 0 m",        FIXED, "rotate, swing: a point on the axis") \
+    K(direction,          VECTOR,  PURE,         "",          "",                 "",               FIXED, "translate, oscillate: the way it goes; any length") \
+    K(speed,              NUMBER,  RATE,         "",          "",                 "",               FIXED, "rotate (rpm), translate (m/s); this or schedule") \
+    K(schedule,           LIST,    PURE,         "",          "",                 "",               FIXED, "rotate, translate: legs of speed, one after another; this or speed") \
+    K(settle,             NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "at rest before it moves")       \
+    K(ramp,               NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "rotate, translate: then linearly up to speed") \
+    K(amplitude,          NUMBER,  WAY,          "]0, inf[",  "",                 "",               FIXED, "swing (deg), oscillate (mm): half the way from end to end") \
+    K(frequency,          NUMBER,  FREQUENCY,    "]0, inf[",  "",                 "",               FIXED, "swing, oscillate")              \
+    K(phase,              NUMBER,  ANGLE,        "",          "",                 "0 rad",          FIXED, "swing, oscillate: at the start, where it stands as defined; at 90 deg it starts from rest")
+
+#define QN_STRETCH_KEYS(K)                                                                                                          \
+    K(duration,           NUMBER,  TIME,         "]0, inf[",  "",                 "",               FIXED, "of the leg; the last may go on for ever") \
+    K(from,               NUMBER,  RATE,         "",          "",                 "",               FIXED, "speed at its start; where the leg before ended if not written") \
+    K(to,                 NUMBER,  RATE,         "",          "",                 "",               FIXED, "speed at its end, reached linearly") \
+    K(at,                 NUMBER,  RATE,         "",          "",                 "",               FIXED, "constant speed, instead of from and to")
 
 #define QN_GROUP_KEYS(K)                                                                                                            \
     K(material,           MATERIAL, PURE,        "",          "",                 REQUIRED,         FIXED, "of the spheres")                \
@@ -209,6 +231,8 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     S(PLANE,    plane,    "walls.NAME (shape: plane)",  "Planes")                          \
     S(BOX,      box,      "walls.NAME (shape: box)",    "Boxes")                           \
     S(MESH,     mesh,     "walls.NAME (shape: mesh)",   "Meshes")                          \
+    S(MOTION,   motion,   "walls.NAME.motion",          "How a wall moves")                \
+    S(STRETCH,  stretch,  "walls.NAME.motion.schedule[]", "Legs of a wall's speed")        \
     S(GROUP,    group,    "particles.NAME",             "Particles")                       \
     S(SIZE,     size,     "particles.NAME.sizes[]",     "Sizes of a distribution")         \
     S(MEASURE,  measure,  "measure",                    "Measurements")                    \

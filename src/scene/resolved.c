@@ -104,6 +104,46 @@ static void write_materials(FILE *out, const qn_def *def)
     }
 }
 
+static const char *const drive_texts[] = {
+#define D(NAME, text, meaning) text,
+    QN_DRIVES(D)
+#undef D
+};
+
+/// Legs of a speed in `unit`, in lines that begin with `indent`.
+static void write_legs(FILE *out, const qn_leg *legs, int count, const char *unit,
+                       const char *indent)
+{
+    for (int i = 0; i < count; i++)
+        if (isfinite(legs[i].duration))
+            fprintf(out, "%s- {duration: %.17g s, from: %.17g %s, to: %.17g %s}\n", indent,
+                    legs[i].duration, legs[i].from, unit, legs[i].to, unit);
+        else
+            fprintf(out, "%s- {at: %.17g %s}\n", indent, legs[i].to, unit);
+}
+
+static void write_drive(FILE *out, const qn_drive_def *d)
+{
+    bool turns = d->kind == QN_DRIVE_ROTATE || d->kind == QN_DRIVE_SWING;
+    bool legs = d->kind == QN_DRIVE_ROTATE || d->kind == QN_DRIVE_TRANSLATE;
+    if (d->kind == QN_DRIVE_REST || d->kind == QN_DRIVE_DRUM) return;
+    fprintf(out, "    motion:\n      kind: %s\n", drive_texts[d->kind]);
+    write_vector(out, turns ? "      axis" : "      direction", d->axis, "");
+    fprintf(out, "\n");
+    if (turns) {
+        write_vector(out, "      through", d->through, "m");
+        fprintf(out, "\n");
+    }
+    if (legs) {
+        fprintf(out, "      schedule:\n");
+        write_legs(out, d->legs, d->leg_count, turns ? "rad/s" : "m/s", "        ");
+    } else
+        fprintf(out,
+                "      amplitude: %.17g %s\n      frequency: %.17g Hz\n      phase: %.17g rad\n"
+                "      settle: %.17g s\n",
+                d->amplitude, turns ? "rad" : "m", d->frequency, d->phase, d->start);
+}
+
 static void write_drum(FILE *out, const qn_def *def)
 {
     static const char *const ends[] = {"periodic", "fixed", "turning"};
@@ -116,14 +156,7 @@ static void write_drum(FILE *out, const qn_def *def)
     if (d->ends != QN_ENDS_PERIODIC)
         fprintf(out, "  end_material: %s\n", def->materials[d->end_material].name);
     fprintf(out, "  schedule:\n");
-    for (int i = 0; i < d->leg_count; i++) {
-        const qn_leg *l = &d->legs[i];
-        if (isfinite(l->duration))
-            fprintf(out, "    - {duration: %.17g s, from: %.17g rad/s, to: %.17g rad/s}\n",
-                    l->duration, l->from, l->to);
-        else
-            fprintf(out, "    - {at: %.17g rad/s}\n", l->to);
-    }
+    write_legs(out, d->legs, d->leg_count, "rad/s", "    ");
     if (d->profile_count > 0) {
         fprintf(out, "  profile: ");
         write_contents(out, d->profile_count, "points",
@@ -139,20 +172,23 @@ static void write_walls(FILE *out, const qn_def *def)
     if (def->plane_count + def->mesh_count > 0) fprintf(out, "walls:\n");
     for (int i = 0; i < def->plane_count; i++) {
         const qn_plane_def *p = &def->planes[i];
-        fprintf(out, "  %s: {shape: plane, material: %s, ", p->name,
+        fprintf(out, "  %s:\n    shape: plane\n    material: %s\n", p->name,
                 def->materials[p->material].name);
-        write_vector(out, "point", p->point, "m");
-        write_vector(out, ", normal", p->normal, "");
-        fprintf(out, "}\n");
+        write_vector(out, "    point", p->point, "m");
+        write_vector(out, "\n    normal", p->normal, "");
+        fprintf(out, "\n");
+        write_drive(out, &p->drive);
     }
     for (int i = 0; i < def->mesh_count; i++) {
         const qn_mesh_def *m = &def->meshes[i];
         uint64_t hash = hash_numbers(QN_HASH_START, m->vertices, 3 * (int64_t)m->vertex_count);
         hash = qn_hash(hash, m->triangles, 3 * (size_t)m->triangle_count * sizeof *m->triangles);
-        fprintf(out, "  %s: {shape: mesh, material: %s, turning: %s, file: \"", m->name,
-                def->materials[m->material].name, yes(m->turning));
+        fprintf(out,
+                "  %s:\n    shape: mesh\n    material: %s\n    turning: %s\n    file: ", m->name,
+                def->materials[m->material].name, yes(m->drive.kind == QN_DRIVE_DRUM));
         write_contents(out, m->triangle_count, "triangles", hash);
-        fprintf(out, "\"}\n");
+        fprintf(out, "\n");
+        write_drive(out, &m->drive);
     }
 }
 

@@ -29,7 +29,8 @@
     D(VELOCITY,     "a velocity")                   \
     D(SPIN,         "an angular velocity")          \
     D(CRITICAL,     "a share of the critical speed")\
-    D(ANGLE,        "an angle")
+    D(ANGLE,        "an angle")                     \
+    D(FREQUENCY,    "a frequency")
 
 //    dimension     name         times                    over
 #define QN_UNITS(U)                                         \
@@ -79,7 +80,10 @@
     U(SPIN,         "deg/s",     3.14159265358979323846,  180)  \
     U(CRITICAL,     "%critical", 1,                       100)  \
     U(ANGLE,        "deg",       3.14159265358979323846,  180)  \
-    U(ANGLE,        "rad",       1,                       1)
+    U(ANGLE,        "rad",       1,                       1)    \
+    U(FREQUENCY,    "Hz",        1,                       1)    \
+    U(FREQUENCY,    "kHz",       1e3,                     1)    \
+    U(FREQUENCY,    "1/min",     1,                       60)
 // clang-format on
 
 enum {
@@ -97,6 +101,8 @@ enum {
         QN_IN_SHARE = QN_IN_PURE | QN_IN_PERCENT,
     QN_IN_SPAN = QN_IN_TIME | QN_IN_REVOLUTIONS | QN_IN_STEPS,
     QN_IN_SPEED = QN_IN_SPIN | QN_IN_CRITICAL,
+    QN_IN_RATE = QN_IN_SPIN | QN_IN_VELOCITY,
+    QN_IN_WAY = QN_IN_ANGLE | QN_IN_LENGTH,
 };
 
 typedef struct qn_unit {

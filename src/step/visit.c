@@ -72,16 +72,16 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
     const qn_wall_contact *list = w->committed ? share->walls : share->walls_next;
     int listed = w->committed ? share->wall_count : share->wall_next_count;
     for (int h = 0; h < count && h < ROOM; h++) {
-        double turn = hits[h].turning ? pose.speed : 0;
+        const qn_frame *frame = &pose.frames[hits[h].body];
         int kind = hits[h].surface * w->class_count + p->klass;
         qn_pair pair = w->wall_pairs[kind];
         qn_reach reach = {radius, radius, 0, 1, 0};
-        qn_vec3 wall = qn_v3(-turn * hits[h].point.y, turn * hits[h].point.x, 0);
+        qn_vec3 wall = qn_frame_velocity(frame, hits[h].point);
         qn_touch t = {qn_sub(centre, hits[h].point),
                       qn_sub(m->velocity, wall),
                       m->kick,
                       m->spin,
-                      {0, 0, turn},
+                      qn_scale(frame->speed, frame->axis),
                       m->spin_kick,
                       {0, 0, 0},
                       {{0, 0, 0}, {0, 0, 0}}};

@@ -231,5 +231,8 @@ void qn_units_choose(qn_world *w, int64_t count, double lever)
     // again in smaller quanta (kernel.h).
     double many = 64 + (double)count;
     w->part_torque_unit = power_above(largest * lever * many * 0x1p-61);
+    w->part_force_unit = power_above(largest * many * 0x1p-61);
+    // No contact works more in a step than the guard's force along the way at which a step is refused.
+    w->wear.unit = power_above(largest * w->largest_radius * 0x1p-56);
     w->energy_unit = power_above(energy * (64 + 0.05 * (double)count) * 0x1p-52);
 }

@@ -49,9 +49,41 @@ typedef struct qn_contact_def {
 
 /// One leg of a speed schedule: the speed goes linearly from `from` to `to` within `duration`.
 typedef struct qn_leg {
-    double duration;  // s       INFINITY for the last
-    double from, to;  // rad/s   positive about +z by the right-hand rule
+    double duration;  // s             INFINITY for the last
+    double from, to;  // rad/s, m/s    rad/s by the right-hand rule; of a drum about +z
 } qn_leg;
+
+// clang-format off
+//    NAME        text          meaning
+#define QN_DRIVES(D)                                                     \
+    D(REST,       "rest",       "never moves")                           \
+    D(DRUM,       "drum",       "turns with the drum")                   \
+    D(ROTATE,     "rotate",     "turns about an axis, at a speed")       \
+    D(SWING,      "swing",      "turns about an axis, to and fro")       \
+    D(TRANSLATE,  "translate",  "moves along a direction, at a speed")   \
+    D(OSCILLATE,  "oscillate",  "moves along a direction, to and fro")
+// clang-format on
+
+typedef enum qn_drive {
+#define D(NAME, text, meaning) QN_DRIVE_##NAME,
+    QN_DRIVES(D)
+#undef D
+} qn_drive;
+
+/// How a wall moves, from where it is defined. The angle (rad) or path (m) after a time t is the integral
+/// of the legs' speed, or, to and fro, amplitude (sin(2 pi frequency (t - start) + phase) - sin phase)
+/// from `start` on.
+typedef struct qn_drive_def {
+    qn_drive kind;
+    qn_vec3 axis;      // 1        unit vector: the axis turned about, or the direction
+    qn_vec3 through;   // m        a point on the axis turned about
+    double amplitude;  // rad, m
+    double frequency;  // Hz
+    double phase;      // rad
+    double start;      // s
+    int leg_count;
+    qn_leg legs[QN_LEGS_MAX];
+} qn_drive_def;
 
 typedef enum qn_ends { QN_ENDS_PERIODIC, QN_ENDS_FIXED, QN_ENDS_TURNING } qn_ends;
 
@@ -70,21 +102,22 @@ typedef struct qn_drum_def {
     qn_leg legs[QN_LEGS_MAX];
 } qn_drum_def;
 
-/// An infinite plane at rest; particles live on the side its normal points to.
+/// An infinite plane; particles live on the side its normal points to.
 typedef struct qn_plane_def {
     char name[QN_NAME_MAX];
     int material;
     qn_vec3 point, normal;  // m, 1   unit normal
+    qn_drive_def drive;
 } qn_plane_def;
 
-/// A triangle surface, at rest or turning with the drum; it acts on both sides.
+/// A triangle surface; it acts on both sides.
 typedef struct qn_mesh_def {
     char name[QN_NAME_MAX];
     int material;
-    bool turning;
     int vertex_count, triangle_count;
     double *vertices;  // m   3 x vertex_count, owned
     int *triangles;    // 1   3 x triangle_count, indices from 0, owned
+    qn_drive_def drive;
 } qn_mesh_def;
 
 typedef enum qn_amount { QN_AMOUNT_COUNT, QN_AMOUNT_FILLING, QN_AMOUNT_MASS } qn_amount;

@@ -41,10 +41,14 @@ typedef struct qn_ledger {
     double lost[QN_LOSS_COUNT];  // J     up to step n - 1/2
     double now[QN_TALLY_COUNT];  // J     this step's losses, and what is stored at step n
     int part_count;
-    double *work;        // J     done by each part on the particles, up to n - 1/2; owned
-    double *impulse;     // N m s torque about the axis of each part on the particles, times
-                         //       time, up to n - 1/2; owned
-    double *torque_now;  // N m   at step n; owned
+    // Of each part on the particles; torques about the line its body turns about, else about z. The
+    // first three are totals up to n - 1/2, the others of step n; all owned.
+    double *work;                             // J
+    double *impulse;                          // N m s torque times time
+    double *push;                             // N s   force times time, x y z of each part
+    double *torque_now;                       // N m
+    double *force_now;                        // N     x y z of each part
+    double *power_now;                        // W
     int64_t contacts_now, wall_contacts_now;  // touching at step n
     double deepest_now;  // 1     largest overlap at step n, in radii of the smaller sphere
     double deepest;      // 1     largest overlap so far

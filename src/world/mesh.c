@@ -20,6 +20,7 @@ void qn_mesh_free(qn_mesh *mesh)
     free(mesh->edges);
     free(mesh->triangle_edges);
     free(mesh->normals);
+    free(mesh->discs);
     free(mesh->sides);
     free(mesh->wedges);
     free(mesh->vertex_owner);
@@ -183,6 +184,17 @@ static void settle_none(search *s)
     }
 }
 
+/// Whether a sphere cuts a triangle's plane, and in a circle that comes as near as the triangle's disc.
+static bool reaches_disc(const qn_mesh_disc *disc, qn_vec3 centre, double radius)
+{
+    qn_vec3 from = qn_sub(centre, disc->middle);
+    double height = qn_dot(from, disc->normal);
+    double circle2 = radius * radius - height * height;
+    if (!(circle2 > 0)) return false;
+    double along2 = qn_max(qn_dot(from, from) - height * height, 0);
+    return sqrt(along2) < sqrt(circle2) + disc->radius;
+}
+
 int qn_mesh_touch(const qn_mesh *mesh, qn_vec3 centre, double radius, qn_mesh_hit *hits, int room)
 {
     int cell = qn_mesh_cell(mesh, centre);
@@ -196,8 +208,7 @@ int qn_mesh_touch(const qn_mesh *mesh, qn_vec3 centre, double radius, qn_mesh_hi
     s.count = 0;
     bool near = false;
     for (const int *t = s.triangles; t < s.end; t++) {
-        qn_vec3 from = qn_sub(centre, corner(mesh, *t, 0));
-        if (!(fabs(qn_dot(from, mesh->normals[*t])) < radius)) continue;
+        if (!reaches_disc(&mesh->discs[*t], centre, radius)) continue;
         near = true;
         try_face(&s, *t);
         for (int k = 0; k < 3; k++) {

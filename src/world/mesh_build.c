@@ -8,7 +8,8 @@
 static const double WELD = 1e-9;      // 1   of the mesh's size: vertices nearer are the same
 static const double COPLANAR = 1e-9;  // 1   in-plane normals that cancel to this run on smoothly
 static const double SLIVER = 1e-12;   // 1   of the longest side squared: triangles of less area go
-static const double CELLS_MAX = 2e6, VISITS_MAX = 4e7;  // 1   bounds on the grid
+static const double FINEST = 0.1;     // 1   of the reach: the smallest grid cell
+static const double CELLS_MAX = 2e6, LISTED_MAX = 2e7;  // 1   bounds on the grid
 
 static qn_status check(const qn_mesh_def *def, double reach)
 {
@@ -243,49 +244,143 @@ static void span(const qn_mesh *m, int t, int axis, double near, int *low, int *
     *high = (int)qn_min(m->cells[axis] - 1, floor((most + near) / m->cell));
 }
 
+static bool has_border(const qn_mesh *m, int t)
+{
+    for (int k = 0; k < 3; k++)
+        if (m->edges[m->triangle_edges[3 * t + k]].count == 1) return true;
+    return false;
+}
+
+/// Whether edge e may own a centre within `half` of `middle`; distances as for spheres up to `near`.
+static bool edge_may_own(const qn_mesh *m, int index, qn_vec3 middle, double half, double near)
+{
+    const qn_mesh_edge *e = &m->edges[index];
+    qn_vec3 from_a = qn_sub(middle, m->vertices[e->a]), from_b = qn_sub(middle, m->vertices[e->b]);
+    double along = qn_dot(from_a, e->along);
+    if (along < -half || qn_dot(from_b, e->along) > half) return false;
+    for (int k = e->first; k < e->first + e->count; k++)
+        if (qn_dot(from_a, m->wedges[k]) < -half) return false;
+    return qn_dot(from_a, from_a) - along * along <= near * near;
+}
+
+static bool vertex_may_own(const qn_mesh *m, int vertex, qn_vec3 middle, double half, double near)
+{
+    qn_vec3 d = qn_sub(middle, m->vertices[vertex]);
+    if (qn_dot(d, d) > near * near) return false;
+    for (int k = m->fan_start[vertex]; k < m->fan_start[vertex + 1]; k++) {
+        const qn_mesh_edge *e = &m->edges[m->fan[k]];
+        double away = qn_dot(d, e->along);
+        if (e->a == vertex ? away > half : away < -half) return false;
+    }
+    return true;
+}
+
+/// Whether a sphere whose centre is within `half` of `middle` may touch triangle t, or an edge or corner
+/// that t reports: whether the centre may lie in one of their regions. Triangles at a border count as far
+/// as they reach, as the corners of others may stand on their sides.
+static bool may_own(const qn_mesh *m, int t, qn_vec3 middle, double half, double near)
+{
+    qn_vec3 from = qn_sub(middle, m->vertices[m->triangles[3 * t]]);
+    if (fabs(qn_dot(from, m->normals[t])) > near) return false;
+    int within = 0;
+    for (int k = 0; k < 3; k++) {
+        const qn_mesh_edge *e = &m->edges[m->triangle_edges[3 * t + k]];
+        within += qn_dot(qn_sub(middle, m->vertices[e->a]), m->sides[3 * t + k]) <= half;
+    }
+    if (within == 3) return true;
+    for (int k = 0; k < 3; k++) {
+        int edge = m->triangle_edges[3 * t + k], vertex = m->triangles[3 * t + k];
+        if (m->edges[edge].owner == t && edge_may_own(m, edge, middle, half, near)) return true;
+        if (m->vertex_owner[vertex] == t && vertex_may_own(m, vertex, middle, half, near))
+            return true;
+    }
+    if (!has_border(m, t)) return false;
+    qn_vec3 d = qn_sub(qn_triangle_nearest(m, t, middle).point, middle);
+    return qn_dot(d, d) <= near * near;
+}
+
+/// Where the cells go that a sphere may touch a triangle from: counted, or the triangle listed there.
+typedef struct listing {
+    const qn_mesh *mesh;
+    int triangle, low[3], high[3];  //  the cells looked at
+    int *counts, *items;            //  items NULL to count only
+} listing;
+
+/// Looks at a cube of `size` cells a side, a power of two, and where it is not too far at its eighths.
+static void look_at_cube(const listing *l, int x, int y, int z, int size)
+{
+    const qn_mesh *m = l->mesh;
+    if (x > l->high[0] || y > l->high[1] || z > l->high[2]) return;
+    double half = 0.8661 * size * m->cell;  // m   half the cube's diagonal
+    qn_vec3 middle = qn_v3(x + 0.5 * size, y + 0.5 * size, z + 0.5 * size);
+    middle = qn_madd(m->origin, m->cell, middle);
+    if (!may_own(m, l->triangle, middle, half, m->reach * (1 + 1e-9) + half)) return;
+    if (size > 1) {
+        for (int k = 0, part = size / 2; k < 8; k++)
+            look_at_cube(l, x + (k & 1) * part, y + (k >> 1 & 1) * part, z + (k >> 2) * part, part);
+        return;
+    }
+    int cell = (z * m->cells[1] + y) * m->cells[0] + x;
+    if (l->items)
+        l->items[l->counts[cell]++] = l->triangle;
+    else
+        l->counts[cell]++;
+}
+
 /// Visits the cells from which a sphere may touch triangle t: counts them, or lists it there.
 static void cover(const qn_mesh *m, int t, int *counts, int *items)
 {
-    double near = m->reach * (1 + 1e-9) + 0.8661 * m->cell;  // m   half a cell's diagonal more
-    int low[3], high[3];
-    for (int k = 0; k < 3; k++) span(m, t, k, near, &low[k], &high[k]);
-    for (int z = low[2]; z <= high[2]; z++)
-        for (int y = low[1]; y <= high[1]; y++)
-            for (int x = low[0]; x <= high[0]; x++) {
-                qn_vec3 middle = qn_madd(m->origin, m->cell, qn_v3(x + 0.5, y + 0.5, z + 0.5));
-                qn_vec3 d = qn_sub(qn_triangle_nearest(m, t, middle).point, middle);
-                if (qn_dot(d, d) > near * near) continue;
-                int cell = (z * m->cells[1] + y) * m->cells[0] + x;
-                if (items)
-                    items[counts[cell]++] = t;
-                else
-                    counts[cell]++;
-            }
+    enum { CUBE = 8 };
+    listing l = {.mesh = m, .triangle = t, .counts = counts, .items = items};
+    for (int k = 0; k < 3; k++)
+        span(m, t, k, m->reach * (1 + 1e-9) + 0.8661 * m->cell, &l.low[k], &l.high[k]);
+    for (int z = l.low[2]; z <= l.high[2]; z += CUBE)
+        for (int y = l.low[1]; y <= l.high[1]; y += CUBE)
+            for (int x = l.low[0]; x <= l.high[0]; x += CUBE) look_at_cube(&l, x, y, z, CUBE);
 }
 
-/// Cells about as large as the reach, larger where there would be too many of them, or too many
-/// visits by triangles.
+/// About how many cells list a triangle: those of the column over it, as far as the reach on both sides.
+static double listings(const qn_mesh *m, int t)
+{
+    double half = 0.8661 * m->cell, side = sqrt(qn_mesh_area(m, t)) + 2 * half;
+    return (1 + side * side / (m->cell * m->cell)) * (1 + 2 * (m->reach + half) / m->cell);
+}
+
+/// Cells as large as the reach, or as the triangles where these are smaller, so that a cell lists but a
+/// few; larger where there would be too many cells, or too much to list.
 static void choose_cells(qn_mesh *m)
 {
     qn_vec3 size = qn_sub(m->high, m->low);
+    double area = 0;
+    for (int t = 0; t < m->triangle_count; t++) area += qn_mesh_area(m, t);
+    double fine =
+        0.7 * sqrt(2 * area / m->triangle_count);  // m   half a square of two triangles, about
     m->origin = qn_sub(m->low, qn_v3(m->reach, m->reach, m->reach));
-    for (m->cell = m->reach;; m->cell *= 1.25) {
-        double sides[3] = {size.x, size.y, size.z}, total = 1, visits = 0;
+    for (m->cell = qn_max(FINEST * m->reach, qn_min(fine, m->reach));; m->cell *= 1.25) {
+        double sides[3] = {size.x, size.y, size.z}, total = 1, listed = 0;
         for (int k = 0; k < 3; k++)
             total *= sides[k] = ceil((sides[k] + 2 * m->reach) / m->cell) + 1;
         if (total > CELLS_MAX) continue;
         for (int k = 0; k < 3; k++) m->cells[k] = (int)sides[k];
-        for (int t = 0; t < m->triangle_count; t++) {
-            double product = 1;
-            for (int k = 0; k < 3; k++) {
-                int low, high;
-                span(m, t, k, m->reach + m->cell, &low, &high);
-                product *= high - low + 1;
-            }
-            visits += product;
-        }
-        if (visits <= VISITS_MAX || total <= 8) return;
+        for (int t = 0; t < m->triangle_count; t++) listed += listings(m, t);
+        if (listed <= LISTED_MAX || total <= 8) return;
     }
+}
+
+static qn_status find_discs(qn_mesh *m)
+{
+    QN_TRY(QN_ALLOCATE(m->discs, m->triangle_count));
+    for (int t = 0; t < m->triangle_count; t++) {
+        const int *at = m->triangles + (ptrdiff_t)3 * t;
+        qn_vec3 sum = qn_add(qn_add(m->vertices[at[0]], m->vertices[at[1]]), m->vertices[at[2]]);
+        qn_mesh_disc *disc = &m->discs[t];
+        *disc = (qn_mesh_disc){.middle = qn_scale(1.0 / 3, sum), .normal = m->normals[t]};
+        for (int k = 0; k < 3; k++) {
+            double far = qn_norm(qn_sub(m->vertices[at[k]], disc->middle));
+            disc->radius = qn_max(disc->radius, far * (1 + 1e-6));
+        }
+    }
+    return QN_OK;
 }
 
 static qn_status build_grid(qn_mesh *m)
@@ -306,11 +401,11 @@ static qn_status build(const qn_mesh_def *def, double reach, qn_mesh *m)
     QN_TRY(check(def, reach));
     memcpy(m->name, def->name, sizeof m->name);
     m->material = def->material;
-    m->turning = def->turning;
     m->reach = reach;
     QN_TRY(weld(def, m));
     QN_TRY(find_edges(m));
     QN_TRY(find_fans(m));
+    QN_TRY(find_discs(m));
     return build_grid(m);
 }
 

@@ -39,13 +39,34 @@ static double turning_speed(const qn_def *def, double *drop)
     if (!def->drum.present) return 0;
     for (int i = 0; i < def->mesh_count; i++) {
         const qn_mesh_def *mesh = &def->meshes[i];
-        for (int v = 0; mesh->turning && v < mesh->vertex_count; v++)
+        for (int v = 0; mesh->drive.kind == QN_DRIVE_DRUM && v < mesh->vertex_count; v++)
             radius = qn_max(radius, hypot(mesh->vertices[3 * v], mesh->vertices[3 * v + 1]));
     }
     for (int i = 0; i < def->drum.leg_count; i++)
         fastest = qn_max(fastest,
                          qn_max(fabs(def->drum.legs[i].from), fabs(def->drum.legs[i].to)) * radius);
     *drop = 2 * radius;
+    return fastest;
+}
+
+// Speed (m/s) of the fastest of the points that planes and meshes with a motion of their own are given by.
+static double driven_speed(const qn_def *def)
+{
+    double fastest = 0;
+    for (int i = 0; i < def->plane_count; i++) {
+        const qn_plane_def *p = &def->planes[i];
+        double far = qn_norm(qn_sub(p->point, p->drive.through));
+        fastest = qn_max(fastest, qn_drive_fastest(&p->drive, far));
+    }
+    for (int i = 0; i < def->mesh_count; i++) {
+        const qn_mesh_def *m = &def->meshes[i];
+        double far = 0;
+        for (int v = 0; v < m->vertex_count; v++) {
+            const double *x = &m->vertices[3 * v];
+            far = qn_max(far, qn_norm(qn_sub(qn_v3(x[0], x[1], x[2]), m->drive.through)));
+        }
+        fastest = qn_max(fastest, qn_drive_fastest(&m->drive, far));
+    }
     return fastest;
 }
 
@@ -88,6 +109,7 @@ static double given_speed(const qn_def *def)
 static speeds speeds_of(const qn_def *def)
 {
     double drop = 0, turning = turning_speed(def, &drop);
+    turning = qn_max(turning, driven_speed(def));
     double begin = qn_max(turning, given_speed(def));
     drop = qn_max(drop, height(def));
     double end = sqrt(begin * begin + 2 * qn_norm(def->gravity) * drop);

@@ -26,16 +26,36 @@ static int add_surface(qn_walls *w, int material, double radius)
     return w->surface_count++;
 }
 
-__attribute__((format(printf, 3, 4))) static int add_part(qn_walls *w, bool turning,
-                                                          const char *format, ...)
+__attribute__((format(printf, 3, 4))) static int add_part(qn_walls *w, int body, const char *format,
+                                                          ...)
 {
     qn_part *part = &w->parts[w->part_count];
-    part->turning = turning;
+    part->body = body;
+    part->turning = body == w->drum_body;
     va_list args;
     va_start(args, format);
     vsnprintf(part->name, sizeof part->name, format, args);
     va_end(args);
     return w->part_count++;
+}
+
+/// The body of a wall: rest, the drum, that of an earlier wall with the same drive, or a new one.
+static qn_status body_of(qn_walls *w, const qn_drive_def *drive, const char *wall, int *body)
+{
+    *body = 0;
+    if (drive->kind == QN_DRIVE_REST) return QN_OK;
+    *body = w->drum_body;
+    if (drive->kind == QN_DRIVE_DRUM && w->has_drum) return QN_OK;
+    if (drive->kind == QN_DRIVE_DRUM)
+        return qn_fail(QN_INPUT, "wall '%s' turns with the drum, but there is none", wall);
+    QN_TRY(qn_drive_check(drive, wall));
+    for (*body = 1; *body < w->body_count; ++*body)
+        if (memcmp(&w->drives[*body], drive, sizeof *drive) == 0) return QN_OK;
+    if (w->body_count == QN_BODIES_MAX)
+        return qn_fail(QN_INPUT, "wall '%s' has a motion of its own; at most %d walls may", wall,
+                       QN_BODIES_MAX - 2);
+    w->drives[w->body_count++] = *drive;
+    return QN_OK;
 }
 
 static qn_status check_legs(const qn_drum_def *d)
@@ -67,6 +87,8 @@ static qn_status build_drum(const qn_def *def, double reach, qn_walls *w)
     w->has_drum = d->present;
     if (!d->present) return QN_OK;
     w->drum = *d;
+    w->drum_body = w->body_count++;
+    w->drives[w->drum_body].kind = QN_DRIVE_DRUM;
     w->has_profile_file = d->profile_count > 0;
     if (!(d->length > 0 && isfinite(d->length)))
         return qn_fail(QN_INPUT, "drum '%s' is %g m long; its length must be above 0", d->name,
@@ -75,16 +97,17 @@ static qn_status build_drum(const qn_def *def, double reach, qn_walls *w)
     QN_TRY(qn_profile_build(d, reach, &w->profile));
     w->shell_surface = w->flat_surface = add_surface(w, d->material, INFINITY);
     if (w->has_profile_file) {
-        add_part(w, true, "profile");
+        add_part(w, w->drum_body, "profile");
     } else {
         w->shell_surface = add_surface(w, d->material, -w->profile.radius);
-        add_part(w, true, "shell");
-        for (int k = 0; k < d->lifter_count; k++) add_part(w, true, "lifter_%02d", k + 1);
+        add_part(w, w->drum_body, "shell");
+        for (int k = 0; k < d->lifter_count; k++) add_part(w, w->drum_body, "lifter_%02d", k + 1);
     }
     if (d->ends == QN_ENDS_PERIODIC) return QN_OK;
     w->end_surface = add_surface(w, d->end_material, INFINITY);
-    w->end_part[0] = add_part(w, d->ends == QN_ENDS_TURNING, "end_low");
-    w->end_part[1] = add_part(w, d->ends == QN_ENDS_TURNING, "end_high");
+    int body = d->ends == QN_ENDS_TURNING ? w->drum_body : 0;
+    w->end_part[0] = add_part(w, body, "end_low");
+    w->end_part[1] = add_part(w, body, "end_high");
     return QN_OK;
 }
 
@@ -104,8 +127,10 @@ static qn_status build_planes(const qn_def *def, qn_walls *w)
         w->planes[i] = *p;
         if (fabs(length - 1) > 1e-15) w->planes[i].normal = qn_scale(1 / length, p->normal);
         w->plane_count++;
+        int body;
+        QN_TRY(body_of(w, &p->drive, p->name, &body));
         add_surface(w, p->material, INFINITY);
-        add_part(w, false, "%s", p->name);
+        add_part(w, body, "%s", p->name);
     }
     return QN_OK;
 }
@@ -113,13 +138,17 @@ static qn_status build_planes(const qn_def *def, qn_walls *w)
 static qn_status build_meshes(const qn_def *def, double reach, qn_walls *w)
 {
     int64_t feature = w->plane_feature + (int64_t)def->plane_count;
+    w->facet_count = w->plane_facet + def->plane_count;
     for (int i = 0; i < def->mesh_count; i++) {
         qn_mesh *mesh = &w->meshes[i];
         QN_TRY(qn_mesh_build(&def->meshes[i], reach, mesh));
         w->mesh_count++;
         mesh->surface = add_surface(w, mesh->material, INFINITY);
-        mesh->part = add_part(w, mesh->turning, "%s", mesh->name);
+        QN_TRY(body_of(w, &def->meshes[i].drive, mesh->name, &mesh->body));
+        mesh->part = add_part(w, mesh->body, "%s", mesh->name);
         mesh->first_feature = (int32_t)feature;
+        mesh->first_facet = w->facet_count;
+        w->facet_count += mesh->triangle_count;
         feature += qn_mesh_feature_count(mesh);
         if (feature > INT32_MAX)
             return qn_fail(
@@ -142,9 +171,13 @@ static qn_status build(const qn_def *def, double reach, qn_walls *w)
     QN_TRY(QN_ALLOCATE(w->parts, most));
     QN_TRY(QN_ALLOCATE(w->planes, def->plane_count));
     QN_TRY(QN_ALLOCATE(w->meshes, def->mesh_count));
+    w->drum_body = -1;
+    w->body_count = 1;
     QN_TRY(build_drum(def, reach, w));
     w->end_feature = 2 * w->profile.count;
     w->plane_feature = w->end_feature + 2;
+    w->end_facet = w->profile.count;
+    w->plane_facet = w->end_facet + 2;
     QN_TRY(build_planes(def, w));
     return build_meshes(def, reach, w);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walls: the drum's profile, its ends, planes and triangle meshes, and how they move.
 //
-// Every wall is rigid. What turns with the drum is searched in the drum's own frame: its grid is
-// built once, and a particle is rotated into it by minus the drum's total angle, which is computed
-// from the schedule, never accumulated. A feature is the smallest thing a particle can touch (a
-// face, an edge, a corner); exactly one feature of a smooth stretch of wall touches at a time
-// (profile.h, mesh.h), so a joint is never felt. A surface is a material and a curvature, and picks
-// the contact coefficients; a part is what torque and work are told apart by.
+// Every wall is rigid and belongs to a body: the one at rest, the drum, or one with a drive of its
+// own (drive.h). A wall is searched in its body's own frame, where its grid is built once; a particle
+// is brought into it. A feature is the smallest thing a particle can touch (a face, an edge, a corner);
+// exactly one feature of a smooth stretch of wall touches at a time (profile.h, mesh.h), so a joint is
+// never felt. A surface is a material and a curvature, and picks the contact coefficients; a part is
+// what forces, torque and work are told apart by; a facet (a stretch of the profile, an end, a plane, a
+// triangle) is what wear is told apart by.
 //
 // Features are numbered in one range: the profile's elements and corners, both ends, planes, meshes.
 // Parts: shell and lifter_01, lifter_02, ... (or profile), end_low and end_high, planes and meshes
@@ -16,6 +17,7 @@
 
 #include "physics/vec3.h"
 #include "world/def.h"
+#include "world/drive.h"
 #include "world/mesh.h"
 #include "world/profile.h"
 
@@ -27,15 +29,19 @@ typedef struct qn_surface {
 
 typedef struct qn_part {
     char name[QN_NAME_MAX + 16];
-    bool turning;
+    int body;
+    bool turning;  // with the drum
 } qn_part;
+
+enum { QN_BODIES_MAX = 64 };  // most bodies: rest, drum, and walls with a drive of their own
 
 /// One touch of a particle and a wall, as the search finds it.
 typedef struct qn_wall_hit {
     int32_t feature;
     int32_t surface, part;
+    int32_t facet;  //     the facet it is, or the first of those that meet there
+    int32_t body;
     qn_vec3 point;  // m   nearest point of the wall, in the lab frame
-    bool turning;
 } qn_wall_hit;
 
 typedef struct qn_walls {
@@ -45,13 +51,16 @@ typedef struct qn_walls {
     int plane_count, mesh_count;
     qn_plane_def *planes;  //     owned
     qn_mesh *meshes;       //     owned
-    int surface_count, part_count;
+    int surface_count, part_count, facet_count;
     qn_surface *surfaces;             //     owned
     qn_part *parts;                   //     owned
     int shell_surface, flat_surface;  //  of the profile's circular and straight elements
     int end_surface, end_part[2];
     int plane_surface, plane_part;       //     of plane 0; the others follow, then the meshes
     int32_t end_feature, plane_feature;  //  first feature number of each kind
+    int32_t end_facet, plane_facet;      //  likewise; the profile's are its elements
+    int body_count, drum_body;           //  -1 without a drum; body 0 never moves
+    qn_drive_def drives[QN_BODIES_MAX];
 } qn_walls;
 
 /// Builds the walls of a definition for particles up to `largest_radius` (m). Takes over its planes
@@ -68,13 +77,13 @@ double qn_drum_speed(const qn_drum_def *drum, double t);
 /// INFINITY if it never does.
 double qn_drum_time(const qn_drum_def *drum, double angle);
 
-/// What a wall search needs to know of the moment: the drum's orientation and speed.
+/// What a wall search needs to know of the moment: the frame of each body.
 typedef struct qn_pose {
-    double cosine, sine;  // 1      of the drum's total angle
-    double speed;         // rad/s
+    qn_frame frames[QN_BODIES_MAX];
 } qn_pose;
 
 qn_pose qn_walls_pose(const qn_walls *walls, double t);
+qn_frame qn_walls_frame(const qn_walls *walls, int body, double t);
 
 /// All touches of a sphere at `centre` with `radius` (both m); at most `room`, in order of feature.
 /// Returns how many there are, also when more than `room`.

@@ -1,43 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drum's motion in closed form: its angle is the integral of a speed that is linear leg by leg.
-//
-// After the last leg the last speed holds; without legs the drum is at rest.
-#include "physics/angle.h"
+// Where the walls are at a time, and the drum's motion: its angle is the integral of a speed that is
+// linear leg by leg. Without legs the drum is at rest.
 #include "world/walls.h"
-
-/// Angle (rad) turned within a leg after `t` (s), at most its duration.
-static double turned(const qn_leg *leg, double t)
-{
-    if (t >= leg->duration) return 0.5 * (leg->from + leg->to) * leg->duration;
-    double slope = leg->from == leg->to ? 0 : (leg->to - leg->from) / leg->duration;  // rad/s2
-    return t * (leg->from + 0.5 * slope * t);
-}
 
 double qn_drum_angle(const qn_drum_def *drum, double t)
 {
-    double angle = 0, last = 0;
-    for (int i = 0; i < drum->leg_count && t > 0; i++) {
-        const qn_leg *leg = &drum->legs[i];
-        angle += turned(leg, t);
-        t -= leg->duration;
-        last = leg->to;
-    }
-    return t > 0 ? angle + last * t : angle;
+    return qn_legs_total(drum->legs, drum->leg_count, t);
 }
 
 double qn_drum_speed(const qn_drum_def *drum, double t)
 {
-    double last = 0;
-    for (int i = 0; i < drum->leg_count; i++) {
-        const qn_leg *leg = &drum->legs[i];
-        if (t < leg->duration) {
-            if (leg->from == leg->to || t <= 0) return leg->from;
-            return leg->from + (leg->to - leg->from) / leg->duration * t;
-        }
-        t -= leg->duration;
-        last = leg->to;
-    }
-    return last;
+    return qn_legs_speed(drum->legs, drum->leg_count, t);
 }
 
 /// Sense of rotation (+1, -1): that of the last speed that is not zero.
@@ -75,7 +48,7 @@ double qn_drum_time(const qn_drum_def *drum, double angle)
         double t = leg->duration > 0 ? time_within(leg, sense, wanted) : -1;
         if (t >= 0 && isfinite(t) && t <= leg->duration * (1 + 1e-12)) return start + t;
         if (isinf(leg->duration)) return INFINITY;
-        wanted -= sense * turned(leg, leg->duration);
+        wanted -= sense * 0.5 * (leg->from + leg->to) * leg->duration;
         start += leg->duration;
         last = sense * leg->to;
     }
@@ -84,11 +57,15 @@ double qn_drum_time(const qn_drum_def *drum, double angle)
     return start + wanted / last;
 }
 
+qn_frame qn_walls_frame(const qn_walls *walls, int body, double t)
+{
+    if (body == walls->drum_body) return qn_drum_frame(&walls->drum, t);
+    return qn_drive_frame(&walls->drives[body], t);
+}
+
 qn_pose qn_walls_pose(const qn_walls *walls, double t)
 {
-    qn_pose pose = {1, 0, 0};
-    if (!walls->has_drum) return pose;
-    qn_sincos(qn_drum_angle(&walls->drum, t), &pose.sine, &pose.cosine);
-    pose.speed = qn_drum_speed(&walls->drum, t);
+    qn_pose pose;
+    for (int k = 0; k < walls->body_count; k++) pose.frames[k] = qn_walls_frame(walls, k, t);
     return pose;
 }

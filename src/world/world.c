@@ -58,7 +58,12 @@ static qn_status ledger_create(qn_world *w)
     w->ledger.part_count = w->walls.part_count;
     QN_TRY(QN_ALLOCATE(w->ledger.work, w->walls.part_count));
     QN_TRY(QN_ALLOCATE(w->ledger.impulse, w->walls.part_count));
-    return QN_ALLOCATE(w->ledger.torque_now, w->walls.part_count);
+    QN_TRY(QN_ALLOCATE(w->ledger.push, 3 * w->walls.part_count));
+    QN_TRY(QN_ALLOCATE(w->ledger.torque_now, w->walls.part_count));
+    QN_TRY(QN_ALLOCATE(w->ledger.force_now, 3 * w->walls.part_count));
+    QN_TRY(QN_ALLOCATE(w->ledger.power_now, w->walls.part_count));
+    w->wear.facet_count = w->walls.facet_count;
+    return QN_ALLOCATE(w->wear.facets, w->walls.facet_count);
 }
 
 // Puts packed particles into the world's records, the spheres of a clump one after the other.
@@ -88,12 +93,18 @@ static qn_status settle_in(qn_world *w, const qn_seedling *seedlings, int count)
     return qn_bodies_check(w);
 }
 
-// Largest distance (m) from the axis at which a wall may be touched, with room to spare.
+// Largest distance (m) from an axis at which a wall may be touched, with room to spare.
 static double lever(const qn_world *w, const qn_seedling *seedlings, int count)
 {
     double far = w->def.drum.present ? w->def.drum.diameter / 2 : 0;
     for (int i = 0; i < count; i++)
         far = qn_max(far, hypot(seedlings[i].position.x, seedlings[i].position.y));
+    for (int b = 1; b < w->walls.body_count; b++) {
+        if (b == w->walls.drum_body) continue;
+        qn_vec3 through = w->walls.drives[b].through;
+        for (int i = 0; i < count; i++)
+            far = qn_max(far, qn_norm(qn_sub(seedlings[i].position, through)));
+    }
     double bound = 0;
     for (int c = 0; c < w->class_count; c++) bound = qn_max(bound, w->classes[c].bound);
     return 4 * (far + bound);
@@ -143,6 +154,24 @@ qn_status qn_world_create(qn_def *def, int threads, qn_world **world)
     return QN_OK;
 }
 
+double qn_walls_worn(const qn_world *w, int part, int which)
+{
+    const qn_walls *walls = &w->walls;
+    int drum_parts = walls->has_drum ? walls->profile.count : 0;
+    double sum = 0;
+    for (int f = 0; f < drum_parts; f++)
+        if (walls->profile.elements[f].lifter + 1 == part) sum += qn_wear_value(&w->wear, f, which);
+    for (int k = 0; k < 2 && walls->has_drum && walls->drum.ends != QN_ENDS_PERIODIC; k++)
+        if (walls->end_part[k] == part) sum += qn_wear_value(&w->wear, walls->end_facet + k, which);
+    for (int i = 0; i < walls->plane_count; i++)
+        if (walls->plane_part + i == part)
+            sum += qn_wear_value(&w->wear, walls->plane_facet + i, which);
+    for (int m = 0; m < walls->mesh_count; m++)
+        for (int t = 0; walls->meshes[m].part == part && t < walls->meshes[m].triangle_count; t++)
+            sum += qn_wear_value(&w->wear, walls->meshes[m].first_facet + t, which);
+    return sum;
+}
+
 void qn_world_destroy(qn_world *w)
 {
     if (!w) return;
@@ -166,6 +195,10 @@ void qn_world_destroy(qn_world *w)
     free(w->body_of);
     free(w->ledger.work);
     free(w->ledger.impulse);
+    free(w->ledger.push);
     free(w->ledger.torque_now);
+    free(w->ledger.force_now);
+    free(w->ledger.power_now);
+    free(w->wear.facets);
     free(w);
 }

@@ -18,6 +18,7 @@
 #include "world/def.h"
 #include "world/ledger.h"
 #include "world/walls.h"
+#include "world/wear.h"
 
 /// Spheres of one material and size: balls, or spheres of clumps. There is one for each size of each
 /// group, in their order; then come those for clumps' spheres of other radii.
@@ -87,6 +88,7 @@ typedef struct qn_world {
     qn_pair *wall_pairs;      //       owned; as wall_laws
     double energy_unit;       // J     quantum of the energy sums, a power of two
     double part_torque_unit;  // N m   quantum of the wall parts' torque sums, likewise
+    double part_force_unit;   // N     and of their force sums
     double largest_radius, smallest_radius;  // m
     qn_walls walls;                          //       owned
 
@@ -105,6 +107,7 @@ typedef struct qn_world {
     double *shift;      // m     owned; of those spheres, periods that wrapping has put between
     int32_t *body_of;   //       owned; by sphere, -1 for a ball; NULL in a world of balls
     qn_ledger ledger;   //       owned; energies lost and work done since step 0
+    qn_wear wear;       //       owned; what the walls' facets have suffered since step 0
     qn_neighbours *neighbours;  //       owned; the pair list, with the contacts' history
     int threads;
     bool started;    //       velocities are half a step back (qn_step_begin)
@@ -145,6 +148,9 @@ static inline int qn_world_particles(const qn_world *w)
 {
     return w->count - w->member_count + w->body_count;
 }
+
+/// What all facets of a part of the walls have suffered (J). Cost: O(facets of the part).
+double qn_walls_worn(const qn_world *world, int part, int which);
 
 /// Acceleration (m/s2) and angular acceleration (rad/s2) of ball i at the present step; valid
 /// between qn_step_forces() and qn_step_advance().

@@ -26,4 +26,5 @@ def check(name, cells, arrays):
 
 check("frames.hdf.series", lambda a: a.GetNumberOfPoints() == 80 and a.GetNumberOfCells() == 1,
       {"id", "body", "class", "radius", "velocity", "speed", "spin"})
-check("liner.hdf.series", lambda a: a.GetNumberOfCells() > 100, {"lifter"})
+check("liner.hdf.series", lambda a: a.GetNumberOfCells() > 100,
+      {"lifter", "part", "normal_work", "shear_work", "finnie_work"})

@@ -61,6 +61,9 @@ static inline qn_world *fake_mill(int lifters, double speed, double radius, doub
     w->ledger.work = calloc((size_t)w->walls.part_count, sizeof(double));
     w->ledger.impulse = calloc((size_t)w->walls.part_count, sizeof(double));
     w->ledger.torque_now = calloc((size_t)w->walls.part_count, sizeof(double));
+    w->ledger.power_now = calloc((size_t)w->walls.part_count, sizeof(double));
+    w->ledger.push = calloc((size_t)(3 * w->walls.part_count), sizeof(double));
+    w->ledger.force_now = calloc((size_t)(3 * w->walls.part_count), sizeof(double));
     return w;
 }
 
@@ -69,6 +72,7 @@ static inline void fake_free(qn_world *w)
     qn_walls_free(&w->walls);
     free(w->classes), free(w->place), free(w->motion), free(w->load);
     free(w->ledger.work), free(w->ledger.impulse), free(w->ledger.torque_now);
+    free(w->ledger.power_now), free(w->ledger.push), free(w->ledger.force_now);
     free(w);
 }
 

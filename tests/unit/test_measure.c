@@ -53,6 +53,8 @@ static qn_status observe(qn_measure *m, qn_world *w, int64_t end)
             w->ledger.work[p] = n * (p + 1) + sin(n);
             w->ledger.impulse[p] = 0.5 * n * (p + 1);
             w->ledger.torque_now[p] = cos(n);
+            w->ledger.power_now[p] = 2 * cos(n);
+            w->ledger.push[3 * p + 1] = 0.25 * n * (p + 1);
         }
         for (int k = 0; k < QN_LOSS_COUNT; k++) w->ledger.lost[k] = n * k;
         QN_TRY(qn_measure_sample(m, w));
@@ -141,7 +143,7 @@ static void rows_tell_the_ledger_up_to_the_step_itself(void)
     CHECK_NEAR(qn_measure_value(&m, row, "drum_angle_rad"), 0.006, 1e-15);
     CHECK_NEAR(qn_measure_value(&m, row, "lost_sliding_j"), 3.0 * QN_TALLY_SLIDING, 1e-12);
     double work = qn_part_work(w, shell);
-    CHECK_NEAR(work, w->ledger.work[shell] + 0.5e-3 * w->ledger.torque_now[shell] * 2, 1e-15);
+    CHECK_NEAR(work, w->ledger.work[shell] + 0.5e-3 * w->ledger.power_now[shell], 1e-15);
     CHECK(isnan(qn_measure_value(&m, row, "no such column")));
     double first = 0.5 * 1e-3 * cos(0), now = 1.5 * (shell + 1) + 0.5 * 1e-3 * cos(3);
     char name[128];
@@ -149,6 +151,11 @@ static void rows_tell_the_ledger_up_to_the_step_itself(void)
     for (char *c = name; *c; c++)
         if (*c == ' ' || *c == '-') *c = '_';
     CHECK_NEAR(qn_measure_value(&m, row, name), (now - first) / 0.003, 1e-9);
+    snprintf(name, sizeof name, "force_y_%s_n", w->walls.parts[shell].name);
+    CHECK_NEAR(qn_measure_value(&m, row, name), 0.75 * (shell + 1) / 0.003, 1e-9);
+    double did = work - 0.5e-3 * 2;  // J   since the first row
+    snprintf(name, sizeof name, "power_%s_w", w->walls.parts[shell].name);
+    CHECK_NEAR(qn_measure_value(&m, row, name), did / 0.003, 1e-9);
     qn_measure_free(&m), fake_free(w);
 }
 

@@ -33,13 +33,14 @@ static void add_plane_and_mesh(qn_def *def, bool turning)
     const double vertices[9] = {0.05, 0, 0.02, 0.09, 0, 0.02, 0.05, 0.04, 0.02};
     const int triangle[3] = {0, 1, 2};
     def->planes = calloc(1, sizeof *def->planes);
-    def->planes[0] = (qn_plane_def){"table", 3, {0, 0, 0.01}, {0, 0, 1}};
+    def->planes[0] =
+        (qn_plane_def){.name = "table", .material = 3, .point = {0, 0, 0.01}, .normal = {0, 0, 1}};
     def->plane_count = 1;
     def->meshes = calloc(1, sizeof *def->meshes);
     def->mesh_count = 1;
     qn_mesh_def *mesh = &def->meshes[0];
-    *mesh = (qn_mesh_def){
-        .name = "plate", .material = 4, .turning = turning, .vertex_count = 3, .triangle_count = 1};
+    *mesh = (qn_mesh_def){.name = "plate", .material = 4, .vertex_count = 3, .triangle_count = 1};
+    if (turning) mesh->drive.kind = QN_DRIVE_DRUM;
     mesh->vertices = malloc(sizeof vertices);
     mesh->triangles = malloc(sizeof triangle);
     memcpy(mesh->vertices, vertices, sizeof vertices);
@@ -120,8 +121,8 @@ static void every_kind_of_wall_is_found_in_order(void)
     CHECK(qn_walls_touch(&w, &pose, qn_v3(0.02, 0.03, 0.05), 0.0015, h, ROOM) == 0);
     // On a shell stretch at the low end: shell, end; then the side of lifter 0 as well.
     CHECK(qn_walls_touch(&w, &pose, qn_v3(0.02, -0.1476, 0.001), 0.0015, h, ROOM) == 2);
-    CHECK(h[0].part == 0 && h[0].surface == w.shell_surface && h[0].turning);
-    CHECK(h[1].feature == w.end_feature && h[1].part == w.end_part[0] && !h[1].turning);
+    CHECK(h[0].part == 0 && h[0].surface == w.shell_surface && h[0].body == w.drum_body);
+    CHECK(h[1].feature == w.end_feature && h[1].part == w.end_part[0] && h[1].body == 0);
     CHECK(h[1].point.x == 0.02 && h[1].point.z == 0);
     CHECK(qn_walls_touch(&w, &pose, qn_v3(0.0044, -0.1485, 0.099), 0.0015, h, ROOM) == 3);
     CHECK(h[0].part == 1 && h[0].surface == w.flat_surface && h[1].part == 0);
@@ -158,7 +159,7 @@ static void what_turns_with_the_drum_finds_its_wall_unchanged(void)
             qn_vec3 centre = qn_v3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
             int n = qn_walls_touch(&w, &first, p, 0.0015, rest, ROOM);
             CHECK(n > 0 && qn_walls_touch(&w, &now, centre, 0.0015, h, ROOM) == n);
-            CHECK(now.speed == qn_drum_speed(&w.drum, i * 0.37));
+            CHECK(now.frames[w.drum_body].speed == qn_drum_speed(&w.drum, i * 0.37));
             for (int j = 0; j < n; j++) {
                 CHECK(h[j].feature == rest[j].feature && h[j].part == rest[j].part);
                 CHECK_NEAR(qn_norm(qn_sub(h[j].point, centre)), qn_norm(qn_sub(rest[j].point, p)),
@@ -176,10 +177,11 @@ static void inside_and_clearance_agree_with_the_profile(void)
     qn_pose pose = qn_walls_pose(&w, 7.7);
     for (int i = 0; i < 20000; i++) {
         qn_vec3 p = qn_v3(uniform(-0.16, 0.16), uniform(-0.16, 0.16), uniform(-0.01, 0.11));
-        double x = pose.cosine * p.x + pose.sine * p.y, y = pose.cosine * p.y - pose.sine * p.x;
+        double angle = qn_drum_angle(&w.drum, 7.7), c = cos(angle), s = sin(angle);
+        double x = c * p.x + s * p.y, y = c * p.y - s * p.x;
         double clear = qn_min(qn_profile_distance(&w.profile, x, y), qn_min(p.z, 0.1 - p.z));
-        CHECK_NEAR(qn_walls_clearance(&w, &pose, p), clear, 1e-16);
-        CHECK(qn_walls_outside(&w, &pose, p) == (clear < 0));
+        CHECK_NEAR(qn_walls_clearance(&w, &pose, p), clear, 1e-15);
+        CHECK(fabs(clear) < 1e-15 || qn_walls_outside(&w, &pose, p) == (clear < 0));
         qn_wall_hit h[ROOM];
         if (clear >= 0)
             CHECK((qn_walls_touch(&w, &pose, p, 0.0015, h, ROOM) > 0) == (clear < 0.0015));
@@ -196,7 +198,7 @@ static void a_world_without_a_drum_has_its_planes_and_meshes(void)
     qn_walls w;
     CHECK_STATUS(qn_walls_build(&def, 0.0015, &w));
     qn_pose pose = qn_walls_pose(&w, 3);
-    CHECK(pose.cosine == 1 && pose.sine == 0 && pose.speed == 0);
+    CHECK(w.body_count == 1 && w.drum_body == -1 && !pose.frames[0].moves);
     CHECK(qn_walls_outside(&w, &pose, qn_v3(0, 0, 0)));
     CHECK(!qn_walls_outside(&w, &pose, qn_v3(9, 9, 9)));
     CHECK_NEAR(qn_walls_clearance(&w, &pose, qn_v3(0, 0, 0.013)), 0.003, 1e-17);
@@ -206,6 +208,43 @@ static void a_world_without_a_drum_has_its_planes_and_meshes(void)
     qn_def nothing = {0};
     CHECK_STATUS(qn_walls_build(&nothing, 0.0015, &w));
     CHECK(isinf(qn_walls_clearance(&w, &pose, qn_v3(0, 0, 0))));
+    qn_walls_free(&w);
+}
+
+static void walls_with_motions_of_their_own_are_found_where_they_are(void)
+{
+    // The table rises, the plate turns about a tilted axis; both are met in their own frame.
+    qn_def def = {0};
+    add_plane_and_mesh(&def, false);
+    qn_vec3 axis = qn_scale(1.0 / 3, qn_v3(1, 2, 2));
+    def.planes[0].drive =
+        (qn_drive_def){.kind = QN_DRIVE_TRANSLATE, .axis = {0, 0, 1}, .leg_count = 1};
+    def.planes[0].drive.legs[0] = (qn_leg){INFINITY, 0.01, 0.01};
+    def.meshes[0].drive = (qn_drive_def){
+        .kind = QN_DRIVE_ROTATE, .axis = axis, .through = {0.01, 0.02, 0.03}, .leg_count = 1};
+    def.meshes[0].drive.legs[0] = (qn_leg){INFINITY, 4, 4};
+    qn_walls w;
+    CHECK_STATUS(qn_walls_build(&def, 0.0015, &w));
+    CHECK(w.body_count == 3 && w.parts[0].body == 1 && w.parts[1].body == 2);
+    const qn_vec3 own[3] = {{0.06, 0.01, 0.0209}, {0.07, -0.001, 0.0205}, {0.0495, -0.0005, 0.02}};
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 300; i++) {
+            qn_wall_hit rest[ROOM], h[ROOM];
+            qn_pose first = qn_walls_pose(&w, 0), now = qn_walls_pose(&w, i * 0.37);
+            qn_vec3 centre = qn_frame_leave(&now.frames[2], own[k]);
+            double height = 0.01 + 0.0037 * i;
+            qn_vec3 over = qn_v3(0.3, 0.2, height + 0.001), under = qn_v3(0.3, 0.2, height - 0.001);
+            CHECK(qn_walls_touch(&w, &first, own[k], 0.0015, rest, ROOM) == 1);
+            int n = qn_walls_touch(&w, &now, centre, 0.0015, h, ROOM);
+            CHECK(n > 0 && h[n - 1].feature == rest[0].feature && h[n - 1].body == 2);
+            CHECK_NEAR(qn_norm(qn_sub(h[n - 1].point, centre)),
+                       qn_norm(qn_sub(rest[0].point, own[k])), 1e-15);
+            CHECK(qn_walls_touch(&w, &now, over, 0.0015, h, ROOM) == 1);
+            CHECK(h[0].body == 1 && h[0].facet == w.plane_facet);
+            CHECK_NEAR(h[0].point.z, height, 1e-15);
+            CHECK(qn_walls_outside(&w, &now, under) && !qn_walls_outside(&w, &now, over));
+            CHECK_NEAR(qn_walls_clearance(&w, &now, over), 0.001, 1e-15);
+        }
     qn_walls_free(&w);
 }
 
@@ -227,6 +266,11 @@ static void walls_that_make_no_sense_are_refused(void)
     CHECK(qn_walls_build(&def, 0.0015, &w) == QN_INPUT && strstr(qn_error(), "'table'"));
     CHECK(def.planes != NULL && w.planes == NULL);  // left as it was
     def.planes[0].normal = qn_v3(0, 0, 1);
+    def.meshes[0].drive.kind = QN_DRIVE_DRUM;
+    CHECK(qn_walls_build(&def, 0.0015, &w) == QN_INPUT && strstr(qn_error(), "there is none"));
+    def.meshes[0].drive.kind = QN_DRIVE_SWING;
+    CHECK(qn_walls_build(&def, 0.0015, &w) == QN_INPUT && strstr(qn_error(), "'plate'"));
+    def.meshes[0].drive.kind = QN_DRIVE_REST;
     CHECK_STATUS(qn_walls_build(&def, 0.0015, &w));
     qn_walls_free(&w);
 }
@@ -240,6 +284,7 @@ int main(int argc, char **argv)
     TEST(what_turns_with_the_drum_finds_its_wall_unchanged);
     TEST(inside_and_clearance_agree_with_the_profile);
     TEST(a_world_without_a_drum_has_its_planes_and_meshes);
+    TEST(walls_with_motions_of_their_own_are_found_where_they_are);
     TEST(walls_that_make_no_sense_are_refused);
     DONE;
 }

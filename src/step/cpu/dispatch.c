@@ -51,11 +51,11 @@ qn_status qn_kernel_prepare(const qn_world *w, qn_share *share)
 {
     if (share->workspace) return QN_OK;
     int pairs = w->class_count * w->class_count, walls = w->surface_count * w->class_count;
-    size_t sums = sizeof(qn_tally_sums) + (size_t)w->walls.part_count * sizeof(int64_t);
+    size_t sums = sizeof(qn_tally_sums) + (size_t)w->walls.part_count * sizeof(int64_t[4]);
     size_t bytes = sizeof(workspace) + (size_t)(pairs + walls) * sizeof(queue);
     if (!chosen) choose();
     QN_TRY(qn_allocate((void **)&share->sums, 1, sums));
-    share->sums->torque = (int64_t *)(share->sums + 1);
+    share->sums->part = (int64_t(*)[4])(share->sums + 1);
     QN_TRY(qn_allocate(&share->workspace, 1, bytes));
     workspace *work = share->workspace;
     work->pairs = (queue *)(work + 1);

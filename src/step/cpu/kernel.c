@@ -182,50 +182,66 @@ static void all_pairs(qn_world *w, qn_share *share, qn_mode mode)
     for (int c = 0; c < n * n; c++) flush_pairs(w, share, c, mode);
 }
 
-// A wall point turns with speed W about z: its velocity half a step ago is W x p - W x (W x p) dt/2,
-// and the rest of the way to now is its kick.
+// A wall point's velocity half a step ago is that of now less its acceleration times dt/2; the rest of the
+// way to now is its kick. The same for the wall's spin.
 static void gather_wall(const qn_world *w, const qn_share *share, const qn_pose *pose,
                         const queue *q, int from, int l, block *b)
 {
     const qn_place *place = &w->place[q->a[from]];
     const qn_motion *a = &w->motion[q->a[from]];
     const qn_wall_hit *hit = &q->hit[from];
-    double turn = hit->turning ? pose->speed : 0, bend = 0.5 * turn * turn * w->dt;
-    qn_vec3 p = hit->point;
-    qn_vec3 wall_kick = qn_v3(-bend * p.x, -bend * p.y, 0);
-    qn_vec3 wall = qn_sub(qn_v3(-turn * p.y, turn * p.x, 0), wall_kick);
-    qn_vec3 x = qn_v3(place->x, place->y, place->z);
+    const qn_frame *frame = &pose->frames[hit->body];
+    qn_vec3 p = hit->point, x = qn_v3(place->x, place->y, place->z);
+    qn_vec3 wall_kick = qn_scale(0.5 * w->dt, qn_frame_acceleration(frame, p));
+    qn_vec3 wall = qn_sub(qn_frame_velocity(frame, p), wall_kick);
+    double spin_kick = 0.5 * w->dt * frame->slope;
     PUT(b->between, l, qn_sub(x, p));
     PUT(b->velocity, l, qn_sub(a->velocity, wall));
     PUT(b->kick, l, qn_sub(a->kick, wall_kick));
     PUT(b->spin_a, l, a->spin);
-    PUT(b->spin_b, l, qn_v3(0, 0, turn));
+    PUT(b->spin_b, l, qn_scale(frame->speed - spin_kick, frame->axis));
     PUT(b->spin_kick_a, l, a->spin_kick);
-    PUT(b->spin_kick_b, l, qn_v3(0, 0, 0));
+    PUT(b->spin_kick_b, l, qn_scale(spin_kick, frame->axis));
     const qn_memory *memory = &share->walls_next[q->slot[from]].memory;
     PUT(b->slip, l, memory->slip);
     PUT(b->roll, l, memory->roll);
 }
 
-static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int kind)
+// Force and torque of a lane on its part of the walls, and what they wear.
+static void load_wall(qn_world *w, qn_share *share, const qn_pose *pose, const qn_wall_hit *hit,
+                      const block *b, int l, qn_mode mode)
+{
+    const qn_frame *frame = &pose->frames[hit->body];
+    qn_vec3 force = GET(b->force, l), normal = GET(b->normal, l);
+    qn_vec3 torque = qn_cross(qn_sub(hit->point, frame->pivot), force);
+    int64_t *sum = share->sums->part[hit->part];
+    double per_force = 1 / w->part_force_unit;
+    sum[0] += (int64_t)(force.x * per_force);
+    sum[1] += (int64_t)(force.y * per_force);
+    sum[2] += (int64_t)(force.z * per_force);
+    torque = qn_add(torque, GET(b->torque, l));
+    sum[3] += (int64_t)(qn_dot(frame->axis, torque) / w->part_torque_unit);
+    if (mode == QN_PROBE) return;
+    double work[QN_WEAR_COUNT];
+    qn_wear_of(force, normal, qn_madd(GET(b->slide, l), -b->rate[l], normal), w->dt, work);
+    qn_wear_add(&w->wear, hit->facet, work);
+}
+
+static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int kind, qn_mode mode)
 {
     workspace *work = share->workspace;
     queue *q = &work->walls[kind];
     block *b = &work->block;
     const qn_class *c = &w->classes[kind % w->class_count];
     const qn_reach reach = {c->radius, c->radius, 0, 1, 0};
-    double per_torque = 1 / w->part_torque_unit;
     if (q->count == 0) return;
     for (int l = 0; l < W; l++) gather_wall(w, share, pose, q, l < q->count ? l : 0, l, b);
     JOIN(qn_block_evaluate, QN_ISA)(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
     quantise(b, c, NULL);
     for (int l = 0; l < q->count; l++) {
-        const qn_wall_hit *hit = &q->hit[l];
         qn_wall_contact *contact = &share->walls_next[q->slot[l]];
-        double torque =
-            hit->point.x * b->force.y[l] - hit->point.y * b->force.x[l] + b->torque.z[l];
         add_load(&w->load[q->a[l]], b, 0, l);
-        share->sums->torque[hit->part] += (int64_t)(torque * per_torque);
+        load_wall(w, share, pose, &q->hit[l], b, l, mode);
         contact->memory = (qn_memory){GET(b->next_slip, l), GET(b->next_roll, l)};
         contact->normal = GET(b->normal, l);
     }
@@ -256,7 +272,7 @@ static qn_memory wall_history(const qn_wall_contact *old, int old_count, const q
 }
 
 // Queues the touches of one particle. old: its wall contacts of the last step.
-static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, int i,
+static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, qn_mode mode, int i,
                              const qn_wall_contact *old, int old_count)
 {
     enum { ROOM = 32 };
@@ -283,12 +299,12 @@ static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, 
         q->a[q->count] = i;
         q->slot[q->count] = slot;
         q->hit[q->count] = hits[h];
-        if (++q->count == W) flush_walls(w, share, pose, kind);
+        if (++q->count == W) flush_walls(w, share, pose, kind, mode);
     }
     return QN_OK;
 }
 
-static qn_status all_walls(qn_world *w, qn_share *share, const qn_pose *pose)
+static qn_status all_walls(qn_world *w, qn_share *share, const qn_pose *pose, qn_mode mode)
 {
     int at = 0;
     share->wall_next_count = 0;
@@ -296,9 +312,10 @@ static qn_status all_walls(qn_world *w, qn_share *share, const qn_pose *pose)
         int from = at;
         while (at < share->wall_count && share->walls[at].index == i) at++;
         if (w->classes[w->place[i].klass].inverse_mass <= 0) continue;
-        QN_TRY(touch_walls(w, share, pose, i, share->walls + from, at - from));
+        QN_TRY(touch_walls(w, share, pose, mode, i, share->walls + from, at - from));
     }
-    for (int k = 0; k < w->surface_count * w->class_count; k++) flush_walls(w, share, pose, k);
+    for (int k = 0; k < w->surface_count * w->class_count; k++)
+        flush_walls(w, share, pose, k, mode);
     return QN_OK;
 }
 
@@ -309,7 +326,7 @@ qn_status JOIN(qn_kernel_contacts, QN_ISA)(qn_world *w, qn_share *share, const q
                                            qn_mode mode)
 {
     all_pairs(w, share, mode);
-    QN_TRY(all_walls(w, share, pose));
+    QN_TRY(all_walls(w, share, pose, mode));
     if (mode == QN_PROBE) return QN_OK;
     qn_wall_contact *walls = share->walls;
     int64_t room = share->wall_room;

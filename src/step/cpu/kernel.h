@@ -21,7 +21,8 @@ typedef struct qn_tally_sums {
                     [QN_LANES];  // J   what that leaves, in units 2^26 times smaller
     double deepest;              // 1   in radii of the smaller sphere
     int64_t contacts, wall_contacts;
-    int64_t *torque;  //     by part, in the world's quanta; lies behind the sums
+    int64_t (
+        *part)[4];  //     force and torque of each part, in the world's quanta; behind the sums
 } qn_tally_sums;
 
 /// Allocates what a share's contacts are worked on in, once: two blocks that go with the share.

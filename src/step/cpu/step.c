@@ -26,7 +26,7 @@ static void clear_share(qn_world *w, qn_share *share)
     qn_tally_sums *sums = share->sums;
     memset(sums->energy, 0, sizeof sums->energy);
     memset(sums->remainder, 0, sizeof sums->remainder);
-    memset(sums->torque, 0, (size_t)w->walls.part_count * sizeof *sums->torque);
+    memset(sums->part, 0, (size_t)w->walls.part_count * sizeof *sums->part);
     sums->deepest = 0, sums->contacts = 0, sums->wall_contacts = 0;
 }
 
@@ -70,6 +70,27 @@ static qn_status contacts(qn_world *w, const qn_pose *pose, qn_mode mode)
     return worst == QN_OK ? QN_OK : qn_fail(worst, "the list of wall contacts could not grow");
 }
 
+// Forces, torque and power of the walls' parts. A body turns about a line or moves along one, so that its
+// power follows from the sums.
+static void tally_parts(qn_world *w, const qn_pose *pose)
+{
+    qn_ledger *ledger = &w->ledger;
+    const qn_neighbours *nb = w->neighbours;
+    for (int p = 0; p < ledger->part_count; p++) {
+        const qn_frame *frame = &pose->frames[w->walls.parts[p].body];
+        int64_t sum[4] = {0};
+        for (int t = 0; t < nb->share_count; t++)
+            for (int k = 0; k < 4; k++) sum[k] += nb->shares[t].sums->part[p][k];
+        double *force = &ledger->force_now[3 * p], power = 0;
+        ledger->torque_now[p] = w->part_torque_unit * (double)sum[3];
+        for (int k = 0; k < 3; k++) force[k] = w->part_force_unit * (double)sum[k];
+        if (frame->moves)
+            power = ledger->torque_now[p] * frame->speed
+                    + qn_dot(qn_v3(force[0], force[1], force[2]), frame->velocity);
+        ledger->power_now[p] = power;
+    }
+}
+
 // Brings the shares' sums of this step together in the ledger.
 static void tally(qn_world *w)
 {
@@ -79,11 +100,6 @@ static void tally(qn_world *w)
     ledger->contacts_now = ledger->wall_contacts_now = 0;
     ledger->deepest_now = 0;
     memset(ledger->now, 0, sizeof ledger->now);
-    for (int p = 0; p < ledger->part_count; p++) {
-        int64_t torque = 0;
-        for (int t = 0; t < nb->share_count; t++) torque += nb->shares[t].sums->torque[p];
-        ledger->torque_now[p] = w->part_torque_unit * (double)torque;
-    }
     for (int t = 0; t < nb->share_count; t++) {
         const qn_tally_sums *sums = nb->shares[t].sums;
         for (int e = 0; e < QN_TALLY_COUNT; e++)
@@ -107,6 +123,7 @@ qn_status qn_step_forces(qn_world *w, qn_mode mode)
     QN_TRY(contacts(w, &pose, mode));
     qn_bodies_load(w);
     tally(w);
+    tally_parts(w, &pose);
     w->committed = mode == QN_COMMIT;
     return qn_guard_overlap(w);
 }
@@ -160,13 +177,12 @@ qn_status qn_step_advance(qn_world *w)
 {
     qn_neighbours *nb = w->neighbours;
     qn_ledger *ledger = &w->ledger;
-    double speed = qn_walls_pose(&w->walls, qn_world_time(w)).speed;
     int spent = 0, unsound = 0;
     for (int e = 0; e < QN_LOSS_COUNT; e++) ledger->lost[e] += ledger->now[e];
     for (int p = 0; p < ledger->part_count; p++) {
-        double impulse = ledger->torque_now[p] * w->dt;
-        ledger->impulse[p] += impulse;
-        if (w->walls.parts[p].turning) ledger->work[p] += impulse * speed;
+        ledger->work[p] += ledger->power_now[p] * w->dt;
+        ledger->impulse[p] += ledger->torque_now[p] * w->dt;
+        for (int k = 3 * p; k < 3 * p + 3; k++) ledger->push[k] += ledger->force_now[k] * w->dt;
     }
 #pragma omp parallel for schedule(static, 1) num_threads(nb->share_count) \
     reduction(|                                                           \
