@@ -47,13 +47,15 @@ static void add(sums *s, int which, double value, double unit)
         s->broken = true;
 }
 
-// Quanta: energies far below the ledger's own quantum; masses and moments 2^-60 of the heaviest.
+// Quanta: energies far below the ledger's own quantum, which is nothing where nothing can touch, hence
+// no less than 2^-66 J/kg of the heaviest; masses and moments 2^-60 of it.
 static void units_of(const qn_world *w, double unit[SUM_COUNT])
 {
     double heaviest = 0;
     for (int c = 0; c < w->class_count; c++) heaviest = qn_max(heaviest, w->classes[c].mass);
     double mass = heaviest > 0 ? ldexp(1, ilogb(heaviest) - 60) : 1;
-    unit[KINETIC] = unit[ROTATION] = unit[GRAVITY] = w->energy_unit * 0x1p-24;
+    unit[KINETIC] = unit[ROTATION] = unit[GRAVITY] =
+        qn_max(w->energy_unit * 0x1p-24, mass * 0x1p-6);
     unit[SPEED] = 0x1p-60;
     unit[MASS] = unit[MOMENT_X] = unit[MOMENT_Y] = unit[MOMENT_Z] = mass;
 }

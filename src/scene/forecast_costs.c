@@ -22,7 +22,8 @@ static double memory_of(const qn_world *w)
     const double program = 15e6, pairs = 8, images = 1.2;
     double records = sizeof(qn_place) + sizeof(qn_motion) + sizeof(qn_load) + sizeof(int64_t);
     double lists = pairs * (2 * sizeof(int32_t) + sizeof(qn_contact));
-    return program + (double)w->count * images * (records + lists);
+    return program + (double)w->count * images * (records + lists)
+           + (double)w->body_count * sizeof(qn_body);
 }
 
 /// Bytes of a frame with the liner of its moment.

@@ -10,6 +10,7 @@ static qn_vec3 in_units(double unit, const int64_t quanta[3])
 
 void qn_bodies_load(qn_world *w)
 {
+    if (w->body_count == 0) return;
 #pragma omp parallel for schedule(static) num_threads(w->neighbours->share_count)
     for (int n = 0; n < w->body_count; n++) {
         qn_body *b = &w->bodies[n];
@@ -136,6 +137,7 @@ static void look(const qn_world *w, const qn_body *b, double fast, int *spent, i
 void qn_bodies_advance(qn_world *w, double fast, int *spent, int *unsound)
 {
     int all_spent = 0, all_unsound = 0;
+    if (w->body_count == 0) return;
 #pragma omp parallel for schedule(static) num_threads(w->neighbours->share_count) \
     reduction(|                                                                   \
               : all_spent, all_unsound)

@@ -75,7 +75,7 @@ static qn_status check(const double *centres, const double *radii, int count)
 // To 12 digits after the point, so that nothing hangs on the last bit of the C library's functions.
 static double snapped(double x)
 {
-    return rint(x * 0x1p40) * 0x1p-40;
+    return rint(x * 0x1p40) * 0x1p-40 + 0.0;  // no negative zero
 }
 
 // A ball, in closed form, so that it is the same to the bit as one without a shape.
@@ -98,6 +98,9 @@ static void lay_out(qn_shape *s, const double *centres, const double *radii, qn_
     s->is_round = apart <= qn_max(ROUND, 4 * solid->error) * mean;
     s->moment = qn_scale(scale, qn_v3(mean, mean, mean));
     if (!s->is_round) {
+        // Rounding must not turn axes that are free to turn, as those across a rod.
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b < 3; b++) j[a][b] = snapped(j[a][b] / mean) * mean;
         find_axes(j, v);
         s->moment = qn_scale(scale, qn_v3(j[0][0], j[1][1], j[2][2]));
         qn_quat q = quat_of_matrix(v);

@@ -203,7 +203,6 @@ static qn_world *top(qn_vec3 spin, double dt)
     qn_def def = def_of_materials(QN_LAW_HERTZ_MINDLIN, 0.3, 0.6);
     def.gravity = qn_v3(0, 0, 0);
     def.materials[0].youngs_modulus = 1e4;
-    add_plane(&def, "far", qn_v3(0, -1, 0), qn_v3(0, 1, 0));
     qn_group_def *g = add_ball(&def, 0.01, qn_v3(0, 0, 0), qn_v3(0.1, 0.2, 0.3));
     g->shape = add_asymmetric(&def);
     g->spin = spin;

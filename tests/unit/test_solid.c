@@ -187,6 +187,21 @@ static void the_axes_lead_back_to_the_spheres_as_given(void)
         }
 }
 
+// A rod's axes across it are free, and at 45 degrees two are equally near: rounding must not choose.
+static void where_a_rod_lies_does_not_turn_its_free_axes(void)
+{
+    const double rod[] = {0, 0, 0, 1, 1, 0, 2, 2, 0}, radii[] = {1, 1, 1};
+    qn_shape first, other;
+    double radius, moved[9];
+    CHECK_STATUS(qn_shape_of(rod, radii, 3, &first, &radius));
+    for (int t = 1; t < 20; t++) {
+        for (int k = 0; k < 9; k++) moved[k] = rod[k] + (k % 3 - 0.7) * 0.37 * t;
+        CHECK_STATUS(qn_shape_of(moved, radii, 3, &other, &radius));
+        CHECK(memcmp(&first.axes, &other.axes, sizeof first.axes) == 0);
+        CHECK(memcmp(first.centre, other.centre, sizeof first.centre) == 0);
+    }
+}
+
 static void a_shape_that_is_none_is_refused(void)
 {
     double centres[6] = {0}, radii[2] = {1, -1}, radius;
@@ -208,6 +223,7 @@ int main(int argc, char **argv)
     TEST(a_lump_is_what_a_grid_of_points_says);
     TEST(a_tetrahedron_is_round_and_a_dumbbell_is_not);
     TEST(the_axes_lead_back_to_the_spheres_as_given);
+    TEST(where_a_rod_lies_does_not_turn_its_free_axes);
     TEST(a_shape_that_is_none_is_refused);
     DONE;
 }
