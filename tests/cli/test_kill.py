@@ -141,9 +141,9 @@ def continued():
 @test("a finished run resumed to the same end stays as it is")
 def resumed_in_vain():
     scene = write("mill.yaml", MILL)
-    run(scene, "whole", "--steps", 1500).expect(0)
-    run(scene, "again", "--steps", 1500).expect(0)
-    run(scene, "again", "--steps", 1500, "--resume").expect(0)
+    run(scene, "whole", "--steps", 3000).expect(0)
+    run(scene, "again", "--steps", 3000).expect(0)
+    run(scene, "again", "--steps", 3000, "--resume").expect(0)
     check_same_recordings("whole", "again")
 
 
