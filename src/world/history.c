@@ -11,8 +11,16 @@ static void copy(qn_wall_contact *to, const qn_wall_contact *from, int64_t count
     for (int64_t k = 0; k < count; k++) to[k] = from[k];
 }
 
-// Copies out all touching pairs of the list, with the present index of each lower id; only counts
-// them where `out` is NULL. Returns how many there are.
+// Which of two particles a pair's history is kept with.
+static int owner_of(const qn_world *w, int a, int b)
+{
+    double ra = w->classes[w->place[a].klass].radius, rb = w->classes[w->place[b].klass].radius;
+    bool first = ra != rb ? ra < rb : w->id[a] < w->id[b];
+    return first ? a : b;
+}
+
+// Copies out all touching pairs of the list, with the present index of each owner; only counts them
+// where `out` is NULL. Returns how many there are.
 static int64_t gather(const qn_world *w, qn_contact *out, int32_t *index)
 {
     const qn_neighbours *nb = w->neighbours;
@@ -27,7 +35,7 @@ static int64_t gather(const qn_world *w, qn_contact *out, int32_t *index)
                 int home = w->place[qn_partner(share, k, &lower)].home, mine = (int)i;
                 int low = lower ? home : mine, high = lower ? mine : home;
                 out[n] = (qn_contact){w->id[low], w->id[high], qn_memory_of(share, k)};
-                index[n] = low;
+                index[n] = owner_of(w, low, high);
             }
             n++;
         }
@@ -78,7 +86,7 @@ qn_status qn_neighbours_wall_contacts(const qn_world *w, qn_wall_contact **conta
     return QN_OK;
 }
 
-// Lays contacts out in rows by the present index of their lower id; order within a row is free.
+// Lays contacts out in rows by the present index of their owner; order within a row is free.
 static qn_status lay_rows(qn_world *w, const qn_contact *contacts, const int32_t *index,
                           int64_t count)
 {
@@ -99,9 +107,9 @@ qn_status qn_history_collect(qn_world *w)
     if (nb->rebuilds == 0) return s->carried_row ? QN_OK : lay_rows(w, NULL, NULL, 0);
     int64_t n = gather(w, NULL, NULL);
     QN_TRY(QN_RESERVE(s->gathered, s->gathered_room, n));
-    QN_TRY(QN_RESERVE(s->gathered_low, s->gathered_low_room, n));
-    gather(w, s->gathered, s->gathered_low);
-    QN_TRY(lay_rows(w, s->gathered, s->gathered_low, n));
+    QN_TRY(QN_RESERVE(s->gathered_owner, s->gathered_owner_room, n));
+    gather(w, s->gathered, s->gathered_owner);
+    QN_TRY(lay_rows(w, s->gathered, s->gathered_owner, n));
     s->touch_count = 0;
     for (int t = 0; t < nb->share_count; t++) {
         const qn_share *share = &nb->shares[t];
@@ -151,8 +159,10 @@ qn_status qn_neighbours_restore(qn_world *w, const qn_contact *contacts, int64_t
     QN_TRY(QN_ALLOCATE(index, contact_count));
     qn_status status = QN_OK;
     for (int64_t k = 0; k < contact_count && status == QN_OK; k++) {
-        index[k] = index_of(w, contacts[k].low);
-        if (index[k] < 0 || index_of(w, contacts[k].high) < 0)
+        int low = index_of(w, contacts[k].low), high = index_of(w, contacts[k].high);
+        if (low >= 0 && high >= 0)
+            index[k] = owner_of(w, low, high);
+        else
             status = qn_fail(QN_INPUT, "the state has a contact %lld-%lld of a particle it lacks",
                              (long long)contacts[k].low, (long long)contacts[k].high);
     }
@@ -164,12 +174,13 @@ qn_status qn_neighbours_restore(qn_world *w, const qn_contact *contacts, int64_t
     return take_touches(w, touches, touch_count);
 }
 
-bool qn_history_find(const qn_world *w, int low, int64_t high_id, qn_memory *memory)
+bool qn_history_find(const qn_world *w, int a, int b, qn_memory *memory)
 {
     const qn_sorter *s = w->neighbours->sorter;
-    int old = s->from[low];
+    int old = s->from[owner_of(w, a, b)];
+    int64_t low = w->id[a] < w->id[b] ? w->id[a] : w->id[b], high = w->id[a] + w->id[b] - low;
     for (int64_t k = s->carried_row[old]; k < s->carried_row[old + 1]; k++)
-        if (s->carried[k].high == high_id) {
+        if (s->carried[k].low == low && s->carried[k].high == high) {
             *memory = s->carried[k].memory;
             return true;
         }

@@ -12,9 +12,10 @@
 // Periodic images follow their originals.
 static void place_images(qn_world *w)
 {
-    for (int k = w->count; k < w->count + w->neighbours->image_count; k++) {
+    const qn_neighbours *nb = w->neighbours;
+    for (int k = w->count; k < w->count + nb->image_count; k++) {
         w->place[k] = w->place[w->place[k].home];
-        w->place[k].z += w->period;
+        w->place[k].z += k < w->count + nb->rising_count ? w->period : -w->period;
     }
 }
 
