@@ -128,7 +128,7 @@ static qn_status build(qn_world *w)
     QN_TRY(check_period(w));
     QN_TRY(qn_pairs_build(w));
     QN_TRY(ledger_create(w));
-    QN_TRY(qn_pack(&w->def, w->classes, &w->walls, &seedlings, &count));
+    QN_TRY(qn_pack(&w->def, w->classes, w->class_count, &w->walls, &seedlings, &count));
     double reach = lever(w, seedlings, count);
     qn_status status = settle_in(w, seedlings, count);
     free(seedlings);
