@@ -16,7 +16,7 @@
 enum {
     QN_NAME_MAX = 48,     // longest name of a material, group or wall, with its final zero
     QN_PATH_MAX = 1024,   // longest file name
-    QN_SIZES_MAX = 32,    // sizes in one group of particles
+    QN_SIZES_MAX = 64,    // sizes in one group of particles
     QN_LEGS_MAX = 32,     // legs of a drum's speed schedule
     QN_GRIDS_MAX = 8,     // voxel grids
     QN_TRACED_MAX = 256,  // traced particles
