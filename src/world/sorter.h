@@ -14,7 +14,7 @@
 
 #include "world/world.h"
 
-#define QN_LEVEL_RATIO 2.0   // 1   between the radii of two levels
+#define QN_LEVEL_RATIO 3.0   // 1   between the radii of two levels (1.5, 2 and 3 tried)
 enum { QN_LEVELS_MAX = 8 };  //     the finest level takes all that is smaller still
 
 typedef struct qn_grid {

@@ -32,8 +32,8 @@ static qn_world *mixture(qn_ends ends, int threads)
     def.drum.length = 0.02;
     scatter(&def, "balls", 0, 0.008, 8);
     scatter(&def, "rock", 1, 0.004, 40);
-    scatter(&def, "sand", 0, 0.0018, 1000);
-    scatter(&def, "dust", 1, 0.0008, 3000);
+    scatter(&def, "sand", 0, 0.0024, 1000);
+    scatter(&def, "dust", 1, 0.00078, 3000);
     def.step = 1e-6;
     if (qn_world_create(&def, threads, &world) != QN_OK) printf("  %s\n", qn_error());
     qn_def_free(&def);
