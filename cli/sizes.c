@@ -3,7 +3,8 @@
 
 #include <stdio.h>
 
-// A size of a group: how many there are, and their mass.
+// A size of a group: how many there are, and their mass; for a group that is fed later none, and the mass
+// of its share of one particle.
 typedef struct row {
     double diameter;  // m
     int64_t count;
@@ -28,8 +29,9 @@ static int rows_of(const qn_world *w, int group, row rows[QN_SIZES_MAX], double 
     for (int k = 0; k < group; k++) first += w->def.groups[k].size_count;
     *mass = 0;
     for (int s = 0; s < g->size_count; s++) {
+        bool fed = g->packing == QN_PACK_FEED;
         row fresh = {g->diameter[s], count_of(w, first + s), 0};
-        fresh.mass = (double)fresh.count * w->classes[first + s].mass;
+        fresh.mass = w->classes[first + s].mass * (fed ? g->fraction[s] : (double)fresh.count);
         *mass += fresh.mass;
         int at = n++;
         for (; at > 0 && rows[at - 1].diameter > fresh.diameter; at--) rows[at] = rows[at - 1];

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT };
+enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT, FILL_FEED };
 
 /// Fractions by mass become fractions by number, fraction / diameter^3; then they add up to 1.
 static void finish_fractions(qn_group_def *g, bool by_mass)
@@ -130,20 +130,20 @@ static int fill_of(const qn_group_keys *k)
 /// Keys that only mean something for other ways to fill are mistakes.
 static void check_fill(qn_reader *r, const qn_group_keys *k, int fill, qn_mark mark)
 {
-    static const char *const names[] = {"hcp", "grid", "file", "at"};
+    static const char *const names[] = {"hcp", "grid", "file", "at", "feed"};
     const struct {
         const qn_value *value;
         unsigned fills;  // bits
     } only[] = {
-        {&k->count, 3},  {&k->filling, 3},      {&k->mass, 3}, {&k->padding, 3},
-        {&k->jitter, 3}, {&k->sizes, 3},        {&k->file, 4}, {&k->file_unit, 4},
-        {&k->at, 8},     {&k->distribution, 3},
+        {&k->count, 3},  {&k->filling, 3},       {&k->mass, 3}, {&k->padding, 19},
+        {&k->jitter, 3}, {&k->sizes, 19},        {&k->file, 4}, {&k->file_unit, 4},
+        {&k->at, 8},     {&k->distribution, 19},
     };
     for (size_t i = 0; i < sizeof only / sizeof *only; i++)
         if (only[i].value->node && !(only[i].fills >> fill & 1))
             qn_complain(r, only[i].value, "means nothing where fill is %s", names[fill]);
     const qn_value *needed = fill == FILL_FILE ? &k->file : &k->at;
-    if (fill >= FILL_FILE && !needed->node)
+    if ((fill == FILL_FILE || fill == FILL_AT) && !needed->node)
         qn_complain_at(r, mark, "%s lacks the key '%s': %s", needed->path, needed->key->name,
                        needed->key->meaning);
 }
@@ -251,12 +251,16 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     if (fill < 0) return QN_OK;
     check_fill(r, &k, fill, from.mark);
     read_diameters(r, &k, g, from.mark, fill == FILL_FILE);
-    g->packing = fill == FILL_HCP ? QN_PACK_HCP : fill == FILL_GRID ? QN_PACK_GRID : QN_PACK_LIST;
+    g->packing = fill == FILL_HCP    ? QN_PACK_HCP
+                 : fill == FILL_GRID ? QN_PACK_GRID
+                 : fill == FILL_FEED ? QN_PACK_FEED
+                                     : QN_PACK_LIST;
     QN_TRY(qn_build_shape(r, &k, from.mark, g));
     if (fill <= FILL_GRID) {
         read_amount(r, &k, g, from.mark);
         return QN_OK;
     }
+    if (fill == FILL_FEED) return QN_OK;
     if (fill == FILL_FILE)
         QN_TRY(read_list(r, &k, g, from.mark));
     else {

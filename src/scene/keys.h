@@ -65,6 +65,8 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(drum,               MAP,     PURE,         "",          "",                 "",               FIXED, "a drum about the z axis, from z = 0 to its length") \
     K(walls,              NAMES,   PURE,         "",          "",                 "",               FIXED, "planes, boxes and meshes")      \
     K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "groups of particles")             \
+    K(feeds,              NAMES,   PURE,         "",          "",                 "",               FIXED, "where particles come in while running") \
+    K(outlets,            NAMES,   PURE,         "",          "",                 "",               FIXED, "where particles leave while running") \
     K(measure,            MAP,     PURE,         "",          "",                 "",               FIXED, "what is observed while running") \
     K(output,             MAP,     PURE,         "",          "",                 "",               FIXED, "what is written, and where")    \
     K(numerics,           MAP,     PURE,         "",          "",                 "",               FIXED, "for the expert")
@@ -181,7 +183,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(distribution,       MAP,     PURE,         "",          "",                 "",               FIXED, "sizes by a formula, in classes") \
     K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           FIXED, "what the fractions of sizes count") \
     K(fixed,              YESNO,   PURE,         "",          "",                 "no",             FIXED, "never moves, whatever touches it") \
-    K(fill,               WORD,    PURE,         "",          "hcp grid file at", "hcp",            FIXED, "hexagonal packing, cubic grid, from a file, or one sphere; file and at if those keys are there") \
+    K(fill,               WORD,    PURE,         "",          "hcp grid file at feed", "hcp",       FIXED, "hexagonal packing, cubic grid, from a file, one sphere, or none at the start and later from a feed; file and at if those keys are there") \
     K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many particles; hcp and grid need one of count, filling, mass") \
     K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "share of the drum's volume that the bed at rest takes, voids included") \
     K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all particles together")       \
@@ -211,6 +213,26 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(min,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "nothing is smaller")            \
     K(max,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "nothing is larger")             \
     K(classes,            WHOLE,   PURE,         "[1, 64]",   "",                 "12",             FIXED, "equal steps of ln d between min and max, each with one diameter that keeps its number and mass")
+
+#define QN_FEED_KEYS(K)                                                                                                             \
+    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group whose material, sizes, padding and spin it gives") \
+    K(rate,               NUMBER,  FEED_RATE,    "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or by number")          \
+    K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box in which particles appear") \
+    K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \
+    K(centre,             VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a disc in which they appear, instead of a box") \
+    K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of the disc")                   \
+    K(normal,             VECTOR,  PURE,         "",          "",                 "0 0 1",          FIXED, "of the disc")                   \
+    K(velocity,           VECTOR,  VELOCITY,     "",          "",                 "0 0 0 m/s",      FIXED, "with which they appear")        \
+    K(start,              NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "of the feed")                   \
+    K(stop,               NUMBER,  TIME,         "]0, inf[",  "never",            "never",          FIXED, "of the feed")
+
+#define QN_OUTLET_KEYS(K)                                                                                                           \
+    K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box; what has its centre in it leaves") \
+    K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \
+    K(point,              VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a plane, instead of a box; what has its centre beyond it leaves") \
+    K(normal,             VECTOR,  PURE,         "",          "",                 "",               FIXED, "of the plane, the way out")     \
+    K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "all",              "all",            FIXED, "of the open part of the plane, about its point") \
+    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it")
 
 #define QN_MEASURE_KEYS(K)                                                                                                          \
     K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           FREE,  "between rows of the time series") \
@@ -257,6 +279,8 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     S(GROUP,    group,    "particles.NAME",             "Particles")                       \
     S(SIZE,     size,     "particles.NAME.sizes[]",     "Sizes of a distribution")         \
     S(DISTRIBUTION, distribution, "particles.NAME.distribution", "Size distributions")     \
+    S(FEED,     feed,     "feeds.NAME",                 "Feeds")                           \
+    S(OUTLET,   outlet,   "outlets.NAME",               "Outlets")                         \
     S(MEASURE,  measure,  "measure",                    "Measurements")                    \
     S(FIELDS,   fields,   "measure.fields",             "Voxel fields")                    \
     S(TRACES,   traces,   "measure.traces",             "Traces")                          \

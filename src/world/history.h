@@ -15,6 +15,11 @@
 /// restore has left waiting stays as it is.
 QN_NODISCARD qn_status qn_history_collect(qn_world *world);
 
+/// Collects the history for a world whose particles come and go before the next list: `to` is the new
+/// index of each present one, -1 for those that go, `count` how many there will be. Contacts of those
+/// that go are dropped.
+QN_NODISCARD qn_status qn_history_move(qn_world *world, const int32_t *to, int64_t count);
+
 /// What a pair of particles remembers, as collected, by their new indices in either order; false if it
 /// was not touching.
 bool qn_history_find(const qn_world *world, int a, int b, qn_memory *memory);

@@ -16,6 +16,12 @@ double qn_neighbours_skin(const qn_world *w)
     return (w->def.skin > 0 ? w->def.skin : SKIN_SHARE) * w->smallest_radius;
 }
 
+static int share_count(const qn_world *w)
+{
+    int wanted = 1 + w->count / LEAST_SHARE;
+    return wanted < w->neighbours->share_room ? wanted : w->neighbours->share_room;
+}
+
 qn_status qn_neighbours_create(qn_world *w)
 {
     qn_neighbours *nb;
@@ -24,10 +30,9 @@ qn_status qn_neighbours_create(qn_world *w)
     w->neighbours = nb;
     QN_TRY(QN_ALLOCATE(nb->sorter, 1));
     QN_TRY(qn_sorter_plan(nb->sorter, w));
-    nb->share_count = 1 + w->count / LEAST_SHARE;
-    if (nb->share_count > w->threads) nb->share_count = w->threads;
-    QN_TRY(QN_ALLOCATE(nb->shares, nb->share_count));
-    QN_TRY(QN_ALLOCATE(nb->anchor, w->count));
+    nb->share_room = w->threads;
+    QN_TRY(QN_ALLOCATE(nb->shares, nb->share_room));
+    nb->share_count = share_count(w);
     QN_TRY(QN_ALLOCATE(nb->reach2, n * n));
     QN_TRY(QN_ALLOCATE(nb->touch2, n * n));
     nb->skin = qn_neighbours_skin(w);
@@ -44,7 +49,7 @@ qn_status qn_neighbours_create(qn_world *w)
 void qn_neighbours_destroy(qn_neighbours *nb)
 {
     if (!nb) return;
-    for (int t = 0; nb->shares && t < nb->share_count; t++) {
+    for (int t = 0; nb->shares && t < nb->share_room; t++) {
         qn_share *s = &nb->shares[t];
         free(s->row), free(s->partner), free(s->touching), free(s->slip), free(s->roll);
         free(s->spill), free(s->foreign), free(s->walls), free(s->walls_next);
@@ -236,6 +241,8 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     qn_sorter *s = nb->sorter;
     QN_TRY(check_all(w));
     QN_TRY(qn_history_collect(w));
+    QN_TRY(QN_RESERVE(nb->anchor, nb->anchor_room, w->count));
+    nb->share_count = share_count(w);
     QN_TRY(qn_grids_lay(s, w, nb->skin));
     QN_TRY(qn_sort_particles(s, w));
     qn_bodies_follow(w, s->to);
@@ -247,5 +254,6 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     QN_TRY(list_all(w));
     nb->rebuilds++;
     nb->stale = false;
+    nb->built = true;
     return QN_OK;
 }

@@ -48,10 +48,12 @@ typedef struct qn_anchor {
 struct qn_neighbours {
     double skin;  // m
     bool stale;   //     to be rebuilt before it is used again
+    bool built;   //     there is a list; else history waits for one (history.h)
     int64_t rebuilds;
-    int share_count;
-    qn_share *shares;          //     owned
-    qn_anchor *anchor;         //     owned; by particle
+    int share_count, share_room;
+    qn_share *shares;   //     owned
+    qn_anchor *anchor;  //     owned; by particle
+    int64_t anchor_room;
     int image_count;           //     periodic images, at place[count..]
     int rising_count;          //     the first of them: one period up; the others are one down
     double *reach2;            // m2  owned; squared distance at which a pair of classes is listed

@@ -86,7 +86,7 @@ static const char *amount_path(const qn_def *def, char path[2 * QN_NAME_MAX])
 {
     static const char *const keys[] = {"count", "filling", "mass"};
     const qn_group_def *g = def->groups;
-    while (g->packing == QN_PACK_LIST) g++;
+    while (g->packing == QN_PACK_LIST || g->packing == QN_PACK_FEED) g++;
     snprintf(path, 2 * QN_NAME_MAX, "particles.%s.%s", g->name, keys[g->amount_kind]);
     return path;
 }
@@ -99,7 +99,7 @@ static int64_t count_all(qn_pack_plan *p)
         const qn_group_def *g = &p->def->groups[k];
         if (g->packing == QN_PACK_LIST)
             listed += g->list_count;
-        else
+        else if (g->packing != QN_PACK_FEED)
             qn_amounts_of(p->def, g, p->walls, counts);
         p->cubic |= g->packing == QN_PACK_GRID;
         counts += g->size_count;
@@ -145,7 +145,7 @@ static qn_status pack_all(qn_pack_plan *p, int *count)
 {
     QN_TRY(QN_ALLOCATE(p->counts, p->class_count));
     int64_t listed = count_all(p);
-    if (p->total + listed < 1)
+    if (p->total + listed < 1 && p->def->feed_count == 0)
         return qn_fail(QN_INPUT,
                        "particles: there are none; give count, filling, mass, at or file");
     if (p->total + listed > INT32_MAX / 4)

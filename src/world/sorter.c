@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/sorter.h"
+#include "world/population.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -178,22 +179,6 @@ qn_status qn_sort_particles(qn_sorter *s, qn_world *w)
     return QN_OK;
 }
 
-// As many records as the world has particles and images; the loads and ids of images stay unused.
-static qn_status make_room(qn_world *w, int64_t wanted)
-{
-    int64_t room = w->room;
-    if (wanted <= room) return QN_OK;
-    QN_TRY(qn_reserve((void **)&w->place, &room, wanted, sizeof *w->place));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->motion, &room, wanted, sizeof *w->motion));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->load, &room, wanted, sizeof *w->load));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->id, &room, wanted, sizeof *w->id));
-    w->room = room;
-    return QN_OK;
-}
-
 // Adds the image of a particle at `rise` (m) above it, for the keys from `first` on.
 static qn_status add_image(qn_sorter *s, const qn_place *p, double rise, int64_t first, int *n)
 {
@@ -226,7 +211,7 @@ qn_status qn_sort_images(qn_sorter *s, qn_world *w, double skin, int *rising, in
         double reach = w->classes[p->klass].radius + s->grids[level - 1].radius + skin;
         if (p->z >= w->period - reach) QN_TRY(add_image(s, p, -w->period, s->keys, &n));
     }
-    QN_TRY(make_room(w, w->count + n));
+    QN_TRY(qn_population_reserve(w, w->count + n));
     accumulate(s->image_start + 1, keys);
     for (int k = 0; k < n; k++) {
         const qn_place *image = &s->images[k];

@@ -74,7 +74,7 @@ static const struct {
     const char *from, *to, *first;
 } wrong[] = {
     {"ramp:", "rampe:", "s.yaml:15:3: error: unknown key 'rampe' in drum; did you mean 'ramp'?"},
-    {"time:", "zeitdauer: 1\ntime:", "s.yaml:2:1: error: unknown key 'zeitdauer' in the scene; known are: format, title, gravity, seed, time, materials, contacts, drum, walls, particles, measure, output, numerics"},
+    {"time:", "zeitdauer: 1\ntime:", "s.yaml:2:1: error: unknown key 'zeitdauer' in the scene; known are: format, title, gravity, seed, time, materials, contacts, drum, walls, particles, feeds, outlets, measure, output, numerics"},
     {"material: soft-glass", "material: soft-gras", "s.yaml:13:13: error: drum.material = soft-gras is not a material; did you mean 'soft-glass'?"},
     {"material: soft-glass", "material: wood", "s.yaml:13:13: error: drum.material = wood is not a material; known are: glass soft-glass"},
     {"soft-glass-glass:", "soft-glas-glass:", "s.yaml:9:3: error: 'soft-glas-glass' in contacts is not a pair of materials; did you mean 'soft-glass-glass'?"},
