@@ -63,6 +63,21 @@ def empty():
     assert found["particles"] == found["feeds"]["chute"]["particles"] - found["outlets"]["screen"]["particles"]
 
 
+@test("balls are fed among clumps; clumps themselves are refused")
+def clumps():
+    screen = "outlets:\n  screen: {point: 0 0 15 mm, normal: 0 0 1, aperture: 1.9 mm}\n"
+    grains = changed(SCENE, ("filling: 30 %", "filling: 20 %, shape: tetrahedron"), ("3000 steps", "1500 steps"))
+    scene = write("mill.yaml", changed(grains, (screen, "")))
+    run(scene, "whole").expect(0)
+    assert summary("whole")["feeds"]["chute"]["particles"] > 50
+    run(scene, "parts", "--steps", 1234, threads=2).expect(0)
+    run(scene, "parts", "--resume").expect(0)
+    check_same_recordings("whole", "parts")
+    quern("check", write("out.yaml", grains)).expect(INPUT, "the clumps of particles.balls cannot leave")
+    quern("check", write("in.yaml", changed(SCENE, ("fill: feed", "fill: feed\n    shape: tetrahedron")))).expect(
+        INPUT, "feeds.chute: clumps cannot be fed")
+
+
 @test("what is wrong with a feed or an outlet is said where it stands")
 def wrong():
     for old, new, sentence in (
