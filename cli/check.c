@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `quern check`: what a scene will do, before a single step is done.
 #include "cli/cli.h"
+#include "cli/sizes.h"
 #include "cli/warnings.h"
 
 #include "record/json.h"
@@ -143,6 +144,8 @@ static qn_status print_json(const qn_world *w, const qn_forecast *f)
     qn_json_open(&j, "clumps", '[');
     for (int i = 0; i < w->class_count; i++)
         if (is_first(w, i)) put_clump(&j, w, &w->classes[i]);
+    qn_json_close(&j);
+    cli_sizes_put(&j, w);
     char *text;
     QN_TRY(qn_json_end(&j, &text));
     printf("%s\n", text);
@@ -235,6 +238,7 @@ static void print_report(const qn_world *w, const qn_forecast *f)
     print_bytes("memory", f->memory, "");
     print_bytes("disk", f->disk, w->def.output.directory);
     print_pairs(w);
+    cli_sizes_print(w);
 }
 
 static qn_status report(const char *path, const char *text, qn_def *def, bool as_json)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/energy.h"
+#include "world/flow.h"
 
 #include <omp.h>
 
@@ -143,6 +144,8 @@ qn_status qn_balance_now(const qn_world *w, qn_balance *b)
     for (int p = 0; p < l->part_count; p++) b->work += qn_part_work(w, p);
     b->lost = 0;
     for (int k = 0; k < QN_LOSS_COUNT; k++) b->lost += qn_ledger_lost(l, k);
+    b->brought = qn_flow_energy_in(w);
+    b->taken = qn_flow_energy_out(w);
     b->mean_speed = s.moving > 0 ? v[SPEED] / (double)s.moving : 0;
     b->max_speed = s.fastest;
     double mass = v[MASS] > 0 ? v[MASS] : 1;
@@ -152,7 +155,9 @@ qn_status qn_balance_now(const qn_world *w, qn_balance *b)
 
 double qn_balance_residual(const qn_balance *now, const qn_balance *first)
 {
-    return (now->work - first->work) - (now->stored - first->stored) - (now->lost - first->lost);
+    double net = (now->brought - first->brought) - (now->taken - first->taken);
+    return (now->work - first->work) + net - (now->stored - first->stored)
+           - (now->lost - first->lost);
 }
 
 double qn_balance_turnover(const qn_balance *now, const qn_balance *first)

@@ -16,6 +16,7 @@ typedef struct qn_balance {
     double stored;                                          // J     the five together
     double work;                   // J     done by the walls on the particles, up to step n
     double lost;                   // J     all losses up to step n, the Mindlin residue included
+    double brought, taken;         // J     by particles that feeds gave and outlets took
     double mean_speed, max_speed;  // m/s   0 without particles that move
     qn_vec3 centre;                // m     centre of mass of what moves; 0 without
 } qn_balance;
@@ -33,7 +34,7 @@ double qn_drive_work(const qn_world *world);
 /// what the sums hold. Cost: O(particles).
 QN_NODISCARD qn_status qn_balance_now(const qn_world *world, qn_balance *balance);
 
-/// Joules unaccounted for since a first balance: work - change of stored - lost.
+/// Joules unaccounted for since a first balance: work + brought - taken - change of stored - lost.
 double qn_balance_residual(const qn_balance *now, const qn_balance *first);
 
 /// Turnover (J) that a residual is compared with: the largest of work, losses, change of gravity's

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/fields.h"
 #include "measure/open.h"
+#include "world/flow.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -75,7 +76,7 @@ qn_status qn_field_create(const qn_world *w, double cell, int layers, qn_field *
         f->ball_weight[c] = llrint(w->classes[c].volume / (QN_BALL_POINTS * f->volume_unit));
     double most =
         (f->side + d) * (f->side + d) * (f->layer + d) / qn_ball_volume(w->smallest_radius);
-    f->crowd = 1 + (int64_t)qn_min((double)w->count, most);
+    f->crowd = 1 + (int64_t)qn_min((double)qn_flow_most(w), most);
     return fill_open_volume(f, &w->walls);
 }
 

@@ -28,10 +28,4 @@ double qn_open_ring(const qn_open *open, double inner);
 /// at least, that 2^62 of are enough for 2^24 samples of `volume` (m3) filled twice over.
 double qn_volume_quantum(const qn_world *world, double volume, int parts);
 
-/// Volume (m3) of a ball.
-static inline double qn_ball_volume(double radius)
-{
-    return 4.0 / 3.0 * QN_PI * radius * radius * radius;
-}
-
 #endif

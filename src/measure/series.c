@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/series.h"
+#include "world/flow.h"
 
 #include <ctype.h>
 #include <stdio.h>

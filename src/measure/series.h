@@ -29,10 +29,17 @@
     C(lost_rolling_j,         "J",     qn_ledger_lost(l, QN_TALLY_ROLLING),    "lost to rolling resistance so far") \
     C(mindlin_residue_j,      "J",     qn_ledger_lost(l, QN_TALLY_RESIDUE),    "lost by the Mindlin spring as its stiffness changes, so far") \
     C(work_j,                 "J",     b->work,                      "done by the walls on the particles so far") \
-    C(residual_j,             "J",     qn_balance_residual(b, &s->start),   "work less change of stored energy less losses, since the start") \
+    C(residual_j,             "J",     qn_balance_residual(b, &s->start),   "work and energy brought in less energy taken out, change of stored energy and losses, since the start") \
     C(residual_relative,      "1",     residual_relative(b, s),      "the residual by the turnover: the largest of work, losses, change of gravity's energy, kinetic and elastic energy now and at the start") \
     C(power_w,                "W",     since(w, s, b->work - s->work),   "work by time since the row before") \
     C(dissipated_w,           "W",     since(w, s, b->lost - s->lost),   "losses by time since the row before") \
+    C(brought_in_j,           "J",     b->brought,                   "kinetic and gravity's energy of the particles that feeds gave so far") \
+    C(taken_out_j,            "J",     b->taken,                     "energy of the particles that outlets took so far, with that of their contacts") \
+    C(particles,              "1",     (double)w->count,             "in the world")               \
+    C(fed,                    "1",     qn_flow_total_count(w, 0),    "particles that feeds gave so far") \
+    C(fed_kg,                 "kg",    qn_flow_total_mass(w, 0),     "their mass")                 \
+    C(removed,                "1",     qn_flow_total_count(w, 1),    "particles that outlets took so far") \
+    C(removed_kg,             "kg",    qn_flow_total_mass(w, 1),     "their mass")                 \
     C(contacts,               "1",     (double)l->contacts_now,      "between particles, touching") \
     C(wall_contacts,          "1",     (double)l->wall_contacts_now, "of particles with walls, touching") \
     C(contacts_per_particle,  "1",     per_particle(w),              "coordination: twice the contacts by the particles, walls not counted; a clump is one particle") \

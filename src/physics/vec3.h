@@ -54,4 +54,10 @@ QN_FN double qn_norm(qn_vec3 a)
     return sqrt(qn_dot(a, a));
 }
 
+/// Volume (m3) of a ball.
+QN_FN double qn_ball_volume(double radius)
+{
+    return 4.0 / 3.0 * QN_PI * radius * radius * radius;
+}
+
 #endif

@@ -2,6 +2,7 @@
 #include "record/checkpoint.h"
 
 #include "record/table.h"
+#include "world/flow.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,6 +96,16 @@ static void run_columns(qn_progress *p, int64_t *started, qn_column *out)
                          p->frame_count, p->frame_steps};
 }
 
+/// Writes or reads what feeds and outlets have done, where there are any.
+static qn_status move_flow(hid_t file, const qn_world *w, bool read)
+{
+    qn_column columns[QN_FLOW_COLUMNS];
+    if (!w->flow) return QN_OK;
+    int count = qn_flow_columns(w->flow, columns);
+    return read ? qn_table_read(file, "flow", columns, count)
+                : qn_table_write(file, "flow", columns, count, false);
+}
+
 /// The class table as columns over one block of memory (owned by the caller).
 typedef struct class_table {
     double *numbers;
@@ -183,6 +194,7 @@ static qn_status put_all(hid_t file, const qn_world *w, const qn_state *state, q
     QN_TRY(put_classes(file, w));
     QN_TRY(put_ledger(file, &w->ledger));
     QN_TRY(move_wear(file, w, false));
+    QN_TRY(move_flow(file, w, false));
     QN_TRY(move_measure(file, measure, false));
     return qn_table_write(file, "run", run, RUN_COLUMNS, false);
 }
@@ -253,7 +265,7 @@ static qn_status get_state(hid_t file, qn_world *w, qn_progress *p)
     QN_TRY(qn_table_rows(file, "contacts", "low", &s.contact_count));
     QN_TRY(qn_table_rows(file, "wall_contacts", "wall_id", &s.wall_contact_count));
     QN_TRY(qn_table_rows(file, "bodies", "body_id", &s.body_count));
-    if (s.count != w->count)
+    if (s.count != w->count && !w->flow)
         return qn_fail(QN_INPUT, "it holds %lld particles, this run has %d", (long long)s.count,
                        w->count);
     QN_TRY(qn_state_allocate(&s));
@@ -288,6 +300,7 @@ static qn_status get_all(hid_t file, qn_world *w, qn_measure *measure, qn_progre
     ledger_columns(&w->ledger, ledger);
     QN_TRY(qn_table_read(file, "ledger", ledger, LEDGER_COLUMNS));
     QN_TRY(move_wear(file, w, true));
+    QN_TRY(move_flow(file, w, true));
     QN_TRY(move_measure(file, measure, true));
     return get_run(file, w, p);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checkpoints: everything a run needs to go on bit for bit, in one HDF5 file.
 //
-// Groups: /particles, /contacts, /wall_contacts (world/state.h), /classes, /ledger, /measure, /run. Every column carries a hash and the state has one of its own; a file that is not what was
+// Groups: /particles, /contacts, /wall_contacts (world/state.h), /classes, /ledger,
+// /flow where there are feeds or outlets, /measure, /run. Every column carries a hash and the state has one of its own; a file that is not what was
 // written is refused when read. Written atomically between two steps; docs/recording.md has the
 // layout.
 #ifndef QN_RECORD_CHECKPOINT_H

@@ -2,6 +2,7 @@
 #include "record/summary.h"
 
 #include "record/json.h"
+#include "world/flow.h"
 #include "world/neighbours.h"
 
 #include <stdlib.h>
@@ -22,6 +23,41 @@ static void put_run(qn_json *j, const qn_world *w, const qn_progress *p, bool fi
     qn_json_integer(j, "threads", w->threads);
     qn_json_text(j, "backend", "cpu");
     qn_json_integer(j, "list_rebuilds", w->neighbours ? w->neighbours->rebuilds : 0);
+}
+
+/// What one feed or outlet has moved, by the sizes of its particles.
+static void put_one_flow(qn_json *j, const qn_world *w, const char *name, const int64_t *by_class)
+{
+    qn_json_open(j, name, '{');
+    qn_json_integer(j, "particles", qn_flow_count(w, by_class));
+    qn_json_number(j, "mass_kg", qn_flow_mass(w, by_class));
+    qn_json_open(j, "classes", '[');
+    for (int c = 0; c < w->class_count; c++) {
+        if (by_class[c] == 0) continue;
+        qn_json_open(j, NULL, '{');
+        qn_json_text(j, "group", w->def.groups[w->classes[c].group].name);
+        qn_json_number(j, "diameter_m", 2 * w->classes[c].radius);
+        qn_json_integer(j, "particles", by_class[c]);
+        qn_json_close(j);
+    }
+    qn_json_close(j);
+    qn_json_close(j);
+}
+
+static void put_flow(qn_json *j, const qn_world *w)
+{
+    const qn_flow *f = w->flow;
+    if (!f) return;
+    qn_json_open(j, "feeds", '{');
+    for (int k = 0; k < f->feed_count; k++)
+        put_one_flow(j, w, w->def.feeds[k].name, f->fed + k * f->class_count);
+    qn_json_close(j);
+    qn_json_open(j, "outlets", '{');
+    for (int k = 0; k < f->outlet_count; k++)
+        put_one_flow(j, w, w->def.outlets[k].name, f->taken + k * f->class_count);
+    qn_json_close(j);
+    qn_json_number(j, "brought_in_j", qn_flow_energy_in(w));
+    qn_json_number(j, "taken_out_j", qn_flow_energy_out(w));
 }
 
 static void put_drum(qn_json *j, const qn_world *w)
@@ -109,6 +145,7 @@ qn_status qn_summary_write(const char *path, const qn_world *world, const qn_mea
     char *text;
     qn_json_begin(&json);
     put_run(&json, world, progress, finished);
+    put_flow(&json, world);
     put_drum(&json, world);
     put_power(&json, world, measure);
     put_parts(&json, world);

@@ -11,6 +11,7 @@ QN_NODISCARD qn_status qn_build_contacts(qn_reader *r, const qn_scene_keys *scen
 QN_NODISCARD qn_status qn_build_drum(qn_reader *r, const qn_scene_keys *scene);
 QN_NODISCARD qn_status qn_build_walls(qn_reader *r, const qn_scene_keys *scene);
 QN_NODISCARD qn_status qn_build_particles(qn_reader *r, const qn_scene_keys *scene);
+QN_NODISCARD qn_status qn_build_flow(qn_reader *r, const qn_scene_keys *scene);
 void qn_build_times(qn_reader *r, const qn_scene_keys *scene);
 void qn_build_measure(qn_reader *r, const qn_scene_keys *scene);
 void qn_build_output(qn_reader *r, const qn_scene_keys *scene);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Groups of spheres: sizes, amount, and where they are put.
 #include "base/array.h"
+#include "base/sizes.h"
 #include "scene/build.h"
 #include "scene/load.h"
 
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT };
+enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT, FILL_FEED };
 
 /// Fractions by mass become fractions by number, fraction / diameter^3; then they add up to 1.
 static void finish_fractions(qn_group_def *g, bool by_mass)
@@ -44,20 +45,79 @@ static void read_sizes(qn_reader *r, const qn_group_keys *k, qn_group_def *g)
         finish_fractions(g, k->fractions_by.choice == 1);
 }
 
+/// The parameters of a formula: those of its kind are needed, others are mistakes.
+static bool read_parameters(qn_reader *r, const qn_distribution_keys *k, qn_mark mark,
+                            qn_size_def *d)
+{
+    static const char *const texts[] = {
+#define K(NAME, text, first, second, meaning) text,
+        QN_SIZE_KINDS(K)
+#undef K
+    };
+    const qn_value *parameters[][2] = {
+#define K(NAME, text, first, second, meaning) {&k->first, &k->second},
+        QN_SIZE_KINDS(K)
+#undef K
+    };
+    bool good = true;
+    for (int kind = 0; kind < (int)(sizeof texts / sizeof *texts); kind++)
+        for (int i = 0; i < 2; i++) {
+            const qn_value *v = parameters[kind][i];
+            bool wanted = kind == (int)d->kind;
+            if (wanted && !v->node)
+                qn_complain_at(r, mark, "%s lacks the key '%s' of a %s distribution: %s", v->path,
+                               v->key->name, texts[kind], v->key->meaning);
+            else if (!wanted && v->node)
+                qn_complain(r, v, "means nothing where kind is %s", texts[d->kind]);
+            good &= wanted == v->set && wanted == !!v->node;
+        }
+    d->first = parameters[d->kind][0]->number;
+    d->second = parameters[d->kind][1]->number;
+    return good;
+}
+
+static void read_distribution(qn_reader *r, const qn_group_keys *group, qn_group_def *g)
+{
+    qn_distribution_keys k;
+    qn_section_from from = qn_section_under(r, &group->distribution);
+    qn_section_read(r, QN_SECTION_DISTRIBUTION, from, &k);
+    if (!k.kind.set) return;
+    qn_size_def d = {.kind = (qn_size_kind)k.kind.choice,
+                     .by_mass = k.by.choice == 0,
+                     .min = k.min.number,
+                     .max = k.max.number,
+                     .classes = (int)k.classes.number};
+    bool good = read_parameters(r, &k, from.mark, &d);
+    if (!good || !k.by.set || !k.min.set || !k.max.set || !k.classes.set) return;
+    if (!(d.min < d.max))
+        qn_complain(r, &k.max, "must be above min, %g m", d.min);
+    else if (qn_size_classes(&d, g->diameter, g->fraction, &g->size_count) != QN_OK)
+        qn_complain_at(r, from.mark, "%s: %s", from.path, qn_error());
+}
+
 static void read_diameters(qn_reader *r, const qn_group_keys *k, qn_group_def *g, qn_mark mark,
                            bool from_file)
 {
-    if (k->diameter.node && k->sizes.node)
-        qn_complain(r, &k->sizes, "cannot stand beside diameter");
-    else if (k->sizes.set && k->sizes.node)
+    const qn_value *ways[] = {&k->diameter, &k->sizes, &k->distribution}, *chosen = NULL;
+    for (int i = 0; i < 3; i++) {
+        if (!ways[i]->node) continue;
+        if (chosen)
+            qn_complain(r, ways[i], "cannot stand beside %s", chosen->key->name);
+        else
+            chosen = ways[i];
+    }
+    if (!chosen && !from_file)
+        qn_complain_at(r, mark, "%s lacks the key 'diameter' (or 'sizes' or 'distribution'): %s",
+                       k->diameter.path, k->diameter.key->meaning);
+    else if (chosen == &k->sizes && k->sizes.set)
         read_sizes(r, k, g);
-    else if (k->diameter.set) {
+    else if (chosen == &k->distribution && k->distribution.set)
+        read_distribution(r, k, g);
+    else if (chosen == &k->diameter && k->diameter.set) {
         g->size_count = 1;
         g->diameter[0] = k->diameter.number;
         g->fraction[0] = 1;
-    } else if (!from_file && !k->diameter.node && !k->sizes.node)
-        qn_complain_at(r, mark, "%s lacks the key 'diameter' (or 'sizes'): %s", k->diameter.path,
-                       k->diameter.key->meaning);
+    }
 }
 
 /// The way to fill: as written, or as the keys `at` and `file` imply; -1 where it could not be read.
@@ -70,19 +130,20 @@ static int fill_of(const qn_group_keys *k)
 /// Keys that only mean something for other ways to fill are mistakes.
 static void check_fill(qn_reader *r, const qn_group_keys *k, int fill, qn_mark mark)
 {
-    static const char *const names[] = {"hcp", "grid", "file", "at"};
+    static const char *const names[] = {"hcp", "grid", "file", "at", "feed"};
     const struct {
         const qn_value *value;
         unsigned fills;  // bits
     } only[] = {
-        {&k->count, 3}, {&k->filling, 3}, {&k->mass, 3},      {&k->padding, 3}, {&k->jitter, 3},
-        {&k->sizes, 3}, {&k->file, 4},    {&k->file_unit, 4}, {&k->at, 8},
+        {&k->count, 3},  {&k->filling, 3},       {&k->mass, 3}, {&k->padding, 19},
+        {&k->jitter, 3}, {&k->sizes, 19},        {&k->file, 4}, {&k->file_unit, 4},
+        {&k->at, 8},     {&k->distribution, 19},
     };
     for (size_t i = 0; i < sizeof only / sizeof *only; i++)
         if (only[i].value->node && !(only[i].fills >> fill & 1))
             qn_complain(r, only[i].value, "means nothing where fill is %s", names[fill]);
     const qn_value *needed = fill == FILL_FILE ? &k->file : &k->at;
-    if (fill >= FILL_FILE && !needed->node)
+    if ((fill == FILL_FILE || fill == FILL_AT) && !needed->node)
         qn_complain_at(r, mark, "%s lacks the key '%s': %s", needed->path, needed->key->name,
                        needed->key->meaning);
 }
@@ -190,12 +251,16 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     if (fill < 0) return QN_OK;
     check_fill(r, &k, fill, from.mark);
     read_diameters(r, &k, g, from.mark, fill == FILL_FILE);
-    g->packing = fill == FILL_HCP ? QN_PACK_HCP : fill == FILL_GRID ? QN_PACK_GRID : QN_PACK_LIST;
+    g->packing = fill == FILL_HCP    ? QN_PACK_HCP
+                 : fill == FILL_GRID ? QN_PACK_GRID
+                 : fill == FILL_FEED ? QN_PACK_FEED
+                                     : QN_PACK_LIST;
     QN_TRY(qn_build_shape(r, &k, from.mark, g));
     if (fill <= FILL_GRID) {
         read_amount(r, &k, g, from.mark);
         return QN_OK;
     }
+    if (fill == FILL_FEED) return QN_OK;
     if (fill == FILL_FILE)
         QN_TRY(read_list(r, &k, g, from.mark));
     else {

@@ -12,12 +12,17 @@
 #ifndef QN_SCENE_KEYS_H
 #define QN_SCENE_KEYS_H
 
+#include "base/sizes.h"
 #include "physics/laws.h"
 #include "physics/scheme.h"
 #include "scene/tree.h"
 #include "scene/units.h"
 
 #define REQUIRED "!"
+
+/// The texts of all size distributions, each with a space behind it.
+#define QN_SIZE_WORD(NAME, text, first, second, meaning) text " "
+#define QN_SIZE_WORDS QN_SIZE_KINDS(QN_SIZE_WORD)
 
 typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 
@@ -60,6 +65,8 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(drum,               MAP,     PURE,         "",          "",                 "",               FIXED, "a drum about the z axis, from z = 0 to its length") \
     K(walls,              NAMES,   PURE,         "",          "",                 "",               FIXED, "planes, boxes and meshes")      \
     K(particles,          NAMES,   PURE,         "",          "",                 REQUIRED,         FIXED, "groups of particles")             \
+    K(feeds,              NAMES,   PURE,         "",          "",                 "",               FIXED, "where particles come in while running") \
+    K(outlets,            NAMES,   PURE,         "",          "",                 "",               FIXED, "where particles leave while running") \
     K(measure,            MAP,     PURE,         "",          "",                 "",               FIXED, "what is observed while running") \
     K(output,             MAP,     PURE,         "",          "",                 "",               FIXED, "what is written, and where")    \
     K(numerics,           MAP,     PURE,         "",          "",                 "",               FIXED, "for the expert")
@@ -171,11 +178,12 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(spacing,            NUMBER,  PURE,         "]0, 4]",    "",                 "1",              FIXED, "between the centres of a tetrahedron's spheres, in their radii") \
     K(shape_file,         FILE,    PURE,         "",          "",                 "",               FIXED, "CSV of a clump's spheres: x y z radius, in any unit as diameter gives the size") \
     K(turned,             VECTOR,  ANGLE,        "",          "",                 "",               FIXED, "clumps: rotation vector from the template; if not written, none with at and file, random otherwise") \
-    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of every sphere; this or sizes") \
-    K(sizes,              LIST,    PURE,         "",          "",                 "",               FIXED, "a size distribution; this or diameter") \
+    K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of every sphere; this, sizes or distribution") \
+    K(sizes,              LIST,    PURE,         "",          "",                 "",               FIXED, "sizes one by one")              \
+    K(distribution,       MAP,     PURE,         "",          "",                 "",               FIXED, "sizes by a formula, in classes") \
     K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           FIXED, "what the fractions of sizes count") \
     K(fixed,              YESNO,   PURE,         "",          "",                 "no",             FIXED, "never moves, whatever touches it") \
-    K(fill,               WORD,    PURE,         "",          "hcp grid file at", "hcp",            FIXED, "hexagonal packing, cubic grid, from a file, or one sphere; file and at if those keys are there") \
+    K(fill,               WORD,    PURE,         "",          "hcp grid file at feed", "hcp",       FIXED, "hexagonal packing, cubic grid, from a file, one sphere, or none at the start and later from a feed; file and at if those keys are there") \
     K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many particles; hcp and grid need one of count, filling, mass") \
     K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "share of the drum's volume that the bed at rest takes, voids included") \
     K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all particles together")       \
@@ -190,6 +198,41 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
 #define QN_SIZE_KEYS(K)                                                                                                             \
     K(diameter,           NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "of these spheres")              \
     K(fraction,           NUMBER,  SHARE,        "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or number, as fractions_by says; only ratios matter")
+
+#define QN_DISTRIBUTION_KEYS(K)                                                                                                     \
+    K(kind,               WORD,    PURE,         "",          QN_SIZE_WORDS,      REQUIRED,         FIXED, "formula of the share that is smaller than a diameter d") \
+    K(by,                 WORD,    PURE,         "",          "mass number",      "mass",           FIXED, "what that share counts")        \
+    K(mean,               NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "normal: mean")                  \
+    K(deviation,          NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "normal: standard deviation")    \
+    K(median,             NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "lognormal: half is smaller")    \
+    K(sigma,              NUMBER,  PURE,         "]0, 10]",   "",                 "",               FIXED, "lognormal: standard deviation of ln d") \
+    K(d63,                NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "rosin-rammler, 1 - exp(-(d/d63)^n): 63.2 % is smaller") \
+    K(n,                  NUMBER,  PURE,         "]0, 100]",  "",                 "",               FIXED, "rosin-rammler: exponent")       \
+    K(top,                NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "gaudin-schuhmann, (d/top)^m: all is smaller") \
+    K(m,                  NUMBER,  PURE,         "]0, 100]",  "",                 "",               FIXED, "gaudin-schuhmann: exponent")    \
+    K(min,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "nothing is smaller")            \
+    K(max,                NUMBER,  LENGTH,       "]0, inf[",  "",                 REQUIRED,         FIXED, "nothing is larger")             \
+    K(classes,            WHOLE,   PURE,         "[1, 64]",   "",                 "12",             FIXED, "equal steps of ln d between min and max, each with one diameter that keeps its number and mass")
+
+#define QN_FEED_KEYS(K)                                                                                                             \
+    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group whose material, sizes, padding and spin it gives") \
+    K(rate,               NUMBER,  FEED_RATE,    "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or by number")          \
+    K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box in which particles appear") \
+    K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \
+    K(centre,             VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a disc in which they appear, instead of a box") \
+    K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "",                 "",               FIXED, "of the disc")                   \
+    K(normal,             VECTOR,  PURE,         "",          "",                 "0 0 1",          FIXED, "of the disc")                   \
+    K(velocity,           VECTOR,  VELOCITY,     "",          "",                 "0 0 0 m/s",      FIXED, "with which they appear")        \
+    K(start,              NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "of the feed")                   \
+    K(stop,               NUMBER,  TIME,         "]0, inf[",  "never",            "never",          FIXED, "of the feed")
+
+#define QN_OUTLET_KEYS(K)                                                                                                           \
+    K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box; what has its centre in it leaves") \
+    K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \
+    K(point,              VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a plane, instead of a box; what has its centre beyond it leaves") \
+    K(normal,             VECTOR,  PURE,         "",          "",                 "",               FIXED, "of the plane, the way out")     \
+    K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "all",              "all",            FIXED, "of the open part of the plane, about its point") \
+    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it")
 
 #define QN_MEASURE_KEYS(K)                                                                                                          \
     K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           FREE,  "between rows of the time series") \
@@ -235,6 +278,9 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     S(STRETCH,  stretch,  "walls.NAME.motion.schedule[]", "Legs of a wall's speed")        \
     S(GROUP,    group,    "particles.NAME",             "Particles")                       \
     S(SIZE,     size,     "particles.NAME.sizes[]",     "Sizes of a distribution")         \
+    S(DISTRIBUTION, distribution, "particles.NAME.distribution", "Size distributions")     \
+    S(FEED,     feed,     "feeds.NAME",                 "Feeds")                           \
+    S(OUTLET,   outlet,   "outlets.NAME",               "Outlets")                         \
     S(MEASURE,  measure,  "measure",                    "Measurements")                    \
     S(FIELDS,   fields,   "measure.fields",             "Voxel fields")                    \
     S(TRACES,   traces,   "measure.traces",             "Traces")                          \

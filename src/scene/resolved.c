@@ -238,6 +238,8 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
         fprintf(out, "\n");
     } else if (g->packing == QN_PACK_LIST)
         write_list(out, g);
+    else if (g->packing == QN_PACK_FEED)
+        fprintf(out, "    fill: feed\n    padding: %.17g\n", g->padding);
     else {
         fprintf(out, "    fill: %s\n    ", g->packing == QN_PACK_HCP ? "hcp" : "grid");
         if (g->amount_kind == QN_AMOUNT_COUNT)
@@ -253,6 +255,42 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
     write_vector(out, "    velocity", g->velocity, "m/s");
     write_vector(out, "\n    spin", g->spin, "rad/s");
     fprintf(out, "\n");
+}
+
+static void write_feed(FILE *out, const qn_def *def, const qn_feed_def *f)
+{
+    fprintf(out, "  %s:\n    particles: %s\n    rate: %.17g %s\n", f->name,
+            def->groups[f->group].name, f->rate, f->by_mass ? "kg/s" : "1/s");
+    if (f->is_disc) {
+        write_vector(out, "    centre", f->centre, "m");
+        fprintf(out, "\n    radius: %.17g m\n", f->radius);
+        write_vector(out, "    normal", f->normal, "");
+    } else {
+        write_vector(out, "    low", f->low, "m");
+        write_vector(out, "\n    high", f->high, "m");
+    }
+    write_vector(out, "\n    velocity", f->velocity, "m/s");
+    fprintf(out, "\n    start: %.17g s\n", f->start);
+    if (isfinite(f->stop)) fprintf(out, "    stop: %.17g s\n", f->stop);
+}
+
+static void write_outlet(FILE *out, const qn_outlet_def *o)
+{
+    fprintf(out, "  %s:\n", o->name);
+    write_vector(out, o->is_box ? "    low" : "    point", o->is_box ? o->low : o->point, "m");
+    write_vector(out, o->is_box ? "\n    high" : "\n    normal", o->is_box ? o->high : o->normal,
+                 o->is_box ? "m" : "");
+    fprintf(out, "\n");
+    if (!o->is_box && isfinite(o->radius)) fprintf(out, "    radius: %.17g m\n", o->radius);
+    if (!o->is_box && isfinite(o->aperture)) fprintf(out, "    aperture: %.17g m\n", o->aperture);
+}
+
+static void write_flow(FILE *out, const qn_def *def)
+{
+    if (def->feed_count > 0) fprintf(out, "feeds:\n");
+    for (int i = 0; i < def->feed_count; i++) write_feed(out, def, &def->feeds[i]);
+    if (def->outlet_count > 0) fprintf(out, "outlets:\n");
+    for (int i = 0; i < def->outlet_count; i++) write_outlet(out, &def->outlets[i]);
 }
 
 static void write_fields(FILE *out, const qn_measure_def *m)
@@ -307,6 +345,7 @@ qn_status qn_scene_resolved(const qn_def *def, char **text)
     write_walls(out, def);
     fprintf(out, "particles:\n");
     for (int i = 0; i < def->group_count; i++) write_group(out, def, &def->groups[i]);
+    write_flow(out, def);
     write_tail(out, def);
     if (fclose(out) == 0) return QN_OK;
     free(*text);

@@ -57,6 +57,7 @@ static qn_status build(qn_reader *r)
     QN_TRY(qn_build_drum(r, &scene));
     QN_TRY(qn_build_walls(r, &scene));
     QN_TRY(qn_build_particles(r, &scene));
+    QN_TRY(qn_build_flow(r, &scene));
     qn_build_times(r, &scene);
     qn_build_measure(r, &scene);
     qn_build_output(r, &scene);

@@ -18,6 +18,7 @@
     D(REVOLUTIONS,  "turns of the drum")            \
     D(STEPS,        "time steps")                   \
     D(MASS,         "a mass")                       \
+    D(MASS_FLOW,    "a mass by time")               \
     D(DENSITY,      "a density")                    \
     D(PRESSURE,     "a pressure")                   \
     D(STIFFNESS,    "a spring stiffness")           \
@@ -53,6 +54,10 @@
     U(MASS,         "g",         1,                       1e3)  \
     U(MASS,         "mg",        1,                       1e6)  \
     U(MASS,         "t",         1e3,                     1)    \
+    U(MASS_FLOW,    "kg/s",      1,                       1)    \
+    U(MASS_FLOW,    "g/s",       1,                       1e3)  \
+    U(MASS_FLOW,    "kg/h",      1,                       3600) \
+    U(MASS_FLOW,    "t/h",       1e3,                     3600) \
     U(DENSITY,      "kg/m3",     1,                       1)    \
     U(DENSITY,      "g/cm3",     1e3,                     1)    \
     U(PRESSURE,     "Pa",        1,                       1)    \
@@ -83,7 +88,9 @@
     U(ANGLE,        "rad",       1,                       1)    \
     U(FREQUENCY,    "Hz",        1,                       1)    \
     U(FREQUENCY,    "kHz",       1e3,                     1)    \
-    U(FREQUENCY,    "1/min",     1,                       60)
+    U(FREQUENCY,    "1/s",       1,                       1)    \
+    U(FREQUENCY,    "1/min",     1,                       60)   \
+    U(FREQUENCY,    "1/h",       1,                       3600)
 // clang-format on
 
 enum {
@@ -103,6 +110,7 @@ enum {
     QN_IN_SPEED = QN_IN_SPIN | QN_IN_CRITICAL,
     QN_IN_RATE = QN_IN_SPIN | QN_IN_VELOCITY,
     QN_IN_WAY = QN_IN_ANGLE | QN_IN_LENGTH,
+    QN_IN_FEED_RATE = QN_IN_MASS_FLOW | QN_IN_FREQUENCY,
 };
 
 typedef struct qn_unit {

@@ -3,7 +3,7 @@
 //
 //     forces    rebuild the list if some particle may have left its skin; contacts and walls -> loads
 //     (what observes looks here: positions, velocities and forces of step n are all at hand)
-//     advance   kick, drift, settle the ledger, n -> n + 1
+//     advance   kick, drift, settle the ledger, n -> n + 1; outlets take, feeds give (flow.h)
 //
 // Leapfrog: v(n+1/2) = v(n-1/2) + a(n) dt, x(n+1) = x(n) + v(n+1/2) dt; other schemes: physics/scheme.h.
 #ifndef QN_STEP_STEP_H

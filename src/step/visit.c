@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looking at single contacts, for traces. Slow and plain: every pair of the list is looked at.
+#include "step/flow.h"
 #include "step/step.h"
 #include "world/neighbours.h"
 
@@ -56,7 +57,7 @@ static void visit_pairs(const qn_world *w, int which, qn_contact_visit *visit, v
     }
 }
 
-static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *visit, void *user)
+static void visit_walls(const qn_world *w, int which, qn_contact_visit *visit, void *user)
 {
     enum { ROOM = 32 };
     qn_wall_hit hits[ROOM];
@@ -93,7 +94,41 @@ static qn_status visit_walls(const qn_world *w, int which, qn_contact_visit *vis
         qn_contact_evaluate(w->wall_laws[kind], &pair, &reach, &t, &r);
         visit(user, w->id[which], -1 - hits[h].part, &r, hits[h].point);
     }
-    return QN_OK;
+}
+
+// Adds the elastic energy of a contact, in quanta.
+typedef struct stored {
+    int64_t sum;
+    double unit;  // J
+} stored;
+
+static void add_stored(void *user, int64_t id, int64_t partner, const qn_reply *r, qn_vec3 point)
+{
+    stored *s = user;
+    (void)id, (void)partner, (void)point;
+    s->sum += llrint((r->stored_normal + r->stored_tangential) / s->unit);
+}
+
+int64_t qn_flow_stored(const qn_world *w, const bool *marked, double unit)
+{
+    const qn_neighbours *nb = w->neighbours;
+    stored s = {0, unit};
+    for (int t = 0; t < nb->share_count; t++) {
+        const qn_share *share = &nb->shares[t];
+        for (int i = share->first; i < share->last; i++)
+            for (int64_t k = share->row[i - share->first]; k < share->row[i - share->first + 1];
+                 k++) {
+                bool lower;
+                int j = qn_partner(share, k, &lower);
+                qn_vec3 point;
+                if (!share->touching[k] || !(marked[i] || marked[w->place[j].home])) continue;
+                qn_reply r = look(w, lower ? j : i, lower ? i : j, qn_memory_of(share, k), &point);
+                add_stored(&s, 0, 0, &r, point);
+            }
+    }
+    for (int i = 0; i < w->count; i++)
+        if (marked[i]) visit_walls(w, i, add_stored, &s);
+    return s.sum;
 }
 
 qn_status qn_step_visit(qn_world *w, int64_t id, qn_contact_visit *visit, void *user)
@@ -102,5 +137,6 @@ qn_status qn_step_visit(qn_world *w, int64_t id, qn_contact_visit *visit, void *
     while (which < w->count && w->id[which] != id) which++;
     if (which == w->count) return qn_fail(QN_INPUT, "there is no particle %lld", (long long)id);
     visit_pairs(w, which, visit, user);
-    return visit_walls(w, which, visit, user);
+    visit_walls(w, which, visit, user);
+    return QN_OK;
 }

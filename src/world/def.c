@@ -48,6 +48,8 @@ void qn_def_free(qn_def *def)
     free(def->meshes);
     free(def->groups);
     free(def->shapes);
+    free(def->feeds);
+    free(def->outlets);
     free(def->drum.profile);
     *def = qn_def_default();
 }

@@ -16,7 +16,7 @@
 enum {
     QN_NAME_MAX = 48,     // longest name of a material, group or wall, with its final zero
     QN_PATH_MAX = 1024,   // longest file name
-    QN_SIZES_MAX = 32,    // sizes in one group of particles
+    QN_SIZES_MAX = 64,    // sizes in one group of particles
     QN_LEGS_MAX = 32,     // legs of a drum's speed schedule
     QN_GRIDS_MAX = 8,     // voxel grids
     QN_TRACED_MAX = 256,  // traced particles
@@ -121,7 +121,7 @@ typedef struct qn_mesh_def {
 } qn_mesh_def;
 
 typedef enum qn_amount { QN_AMOUNT_COUNT, QN_AMOUNT_FILLING, QN_AMOUNT_MASS } qn_amount;
-typedef enum qn_packing { QN_PACK_HCP, QN_PACK_GRID, QN_PACK_LIST } qn_packing;
+typedef enum qn_packing { QN_PACK_HCP, QN_PACK_GRID, QN_PACK_LIST, QN_PACK_FEED } qn_packing;
 
 /// A group of particles of one material, in one or more sizes; each size is a class.
 typedef struct qn_group_def {
@@ -146,6 +146,31 @@ typedef struct qn_group_def {
     bool turned_at_random;   //        clumps: the orientation at the start, else
     qn_vec3 turned;          // rad    turned by this rotation vector from how the shape was given
 } qn_group_def;
+
+/// Particles of a group that enter while running, on places of a region that are free.
+typedef struct qn_feed_def {
+    char name[QN_NAME_MAX];
+    int group;           //        their sizes and material
+    bool by_mass;        //        rate in kg/s, else in 1/s
+    double rate;         // kg/s | 1/s
+    double start, stop;  // s      INFINITY for no stop
+    bool is_disc;        //        centre, radius and normal, else low and high
+    qn_vec3 low, high;   // m      a box
+    qn_vec3 centre, normal;
+    double radius;     // m
+    qn_vec3 velocity;  // m/s
+} qn_feed_def;
+
+/// Where particles leave: a box, or a plane that is passed in the direction of its normal.
+typedef struct qn_outlet_def {
+    char name[QN_NAME_MAX];
+    bool is_box;            //     low and high, else point and normal
+    qn_vec3 low, high;      // m
+    qn_vec3 point, normal;  // m, 1
+    double radius;  // m   of the part of the plane that is open, about point; INFINITY for all
+    double
+        aperture;  // m   only what is smaller, as soon as it touches the plane; INFINITY for no screen
+} qn_outlet_def;
 
 /// What is observed while running.
 typedef struct qn_measure_def {
@@ -179,12 +204,15 @@ typedef struct qn_def {
     double skin;          // 1    Verlet skin in radii of the smallest particle; 0 for automatic
     double bed_solidity;  // 1    solid share of a bed at rest, for `filling`
     int material_count, contact_count, plane_count, mesh_count, group_count, shape_count;
-    qn_material_def *materials;  //      these six owned
+    int feed_count, outlet_count;
+    qn_material_def *materials;  //      these eight owned
     qn_contact_def *contacts;
     qn_plane_def *planes;
     qn_mesh_def *meshes;
     qn_group_def *groups;
     qn_shape *shapes;
+    qn_feed_def *feeds;
+    qn_outlet_def *outlets;
     qn_drum_def drum;
     qn_measure_def measure;
     qn_output_def output;

@@ -7,12 +7,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SKIN_SHARE 0.5   // 1   of the smallest radius: the automatic skin (0.2 to 0.6 tried)
-#define LEAST_SHARE 256  // 1   particles: fewer are not worth a thread
+#define SKIN_SHARE 0.5    // 1   of the smallest radius: the automatic skin (0.2 to 0.6 tried)
+#define LEAST_SHARE 256   // 1   particles: fewer are not worth a thread
+#define SLACK (1 + 1e-9)  // 1   of a listing distance, for the rounding of cells
 
 double qn_neighbours_skin(const qn_world *w)
 {
     return (w->def.skin > 0 ? w->def.skin : SKIN_SHARE) * w->smallest_radius;
+}
+
+static int share_count(const qn_world *w)
+{
+    int wanted = 1 + w->count / LEAST_SHARE;
+    return wanted < w->neighbours->share_room ? wanted : w->neighbours->share_room;
 }
 
 qn_status qn_neighbours_create(qn_world *w)
@@ -22,10 +29,10 @@ qn_status qn_neighbours_create(qn_world *w)
     QN_TRY(QN_ALLOCATE(nb, 1));
     w->neighbours = nb;
     QN_TRY(QN_ALLOCATE(nb->sorter, 1));
-    nb->share_count = 1 + w->count / LEAST_SHARE;
-    if (nb->share_count > w->threads) nb->share_count = w->threads;
-    QN_TRY(QN_ALLOCATE(nb->shares, nb->share_count));
-    QN_TRY(QN_ALLOCATE(nb->anchor, w->count));
+    QN_TRY(qn_sorter_plan(nb->sorter, w));
+    nb->share_room = w->threads;
+    QN_TRY(QN_ALLOCATE(nb->shares, nb->share_room));
+    nb->share_count = share_count(w);
     QN_TRY(QN_ALLOCATE(nb->reach2, n * n));
     QN_TRY(QN_ALLOCATE(nb->touch2, n * n));
     nb->skin = qn_neighbours_skin(w);
@@ -42,7 +49,7 @@ qn_status qn_neighbours_create(qn_world *w)
 void qn_neighbours_destroy(qn_neighbours *nb)
 {
     if (!nb) return;
-    for (int t = 0; nb->shares && t < nb->share_count; t++) {
+    for (int t = 0; nb->shares && t < nb->share_room; t++) {
         qn_share *s = &nb->shares[t];
         free(s->row), free(s->partner), free(s->touching), free(s->slip), free(s->roll);
         free(s->spill), free(s->foreign), free(s->walls), free(s->walls_next);
@@ -68,8 +75,7 @@ static void list_run(const qn_world *w, qn_share *share, int i, int from, int to
         int64_t k = share->pair_count++;
         share->partner[k] = (uint32_t)j << 1 | lower;
         qn_memory memory = {{0, 0, 0}, {0, 0, 0}};
-        share->touching[k] =
-            qn_history_find(w, lower ? q.home : i, w->id[lower ? i : q.home], &memory);
+        share->touching[k] = qn_history_find(w, i, q.home, &memory);
         qn_memory_set(share, k, memory);
     }
 }
@@ -93,30 +99,44 @@ static qn_status room_for(const qn_world *w, qn_share *share, int64_t more)
     return QN_OK;
 }
 
+// Lists the partners of i in the cells of one level, its own or a coarser one. Of its own level, those
+// behind it and images one period up; so every pair is listed once.
+static qn_status list_level(const qn_world *w, qn_share *share, int i, int level)
+{
+    const qn_sorter *s = w->neighbours->sorter;
+    const qn_grid *g = &s->grids[level];
+    const qn_place *p = &w->place[i];
+    const double x[3] = {p->x, p->y, p->z};
+    const double reach = (w->classes[p->klass].radius + g->radius + w->neighbours->skin) * SLACK;
+    bool own = level == s->level[p->klass];
+    int low[3], high[3];
+    for (int axis = 0; axis < 3; axis++) {
+        if (x[axis] + reach < g->low[axis] || x[axis] - reach > g->high[axis]) return QN_OK;
+        low[axis] = qn_grid_cell(g, axis, x[axis] - reach);
+        high[axis] = qn_grid_cell(g, axis, x[axis] + reach);
+    }
+    for (int cz = low[2]; cz <= high[2]; cz++)
+        for (int cy = low[1]; cy <= high[1]; cy++)
+            for (int cx = low[0]; cx <= high[0]; cx++) {
+                int64_t key = g->first_key + qn_grid_key(g, cx, cy, cz);
+                const int32_t *rise = s->image_start + key, *fall = rise + s->keys;
+                int from = s->start[key], to = s->start[key + 1];
+                if (from <= i) from = i + 1;  // coarser levels stand behind
+                int images = rise[1] - rise[0] + (own ? 0 : fall[1] - fall[0]);
+                if (to <= from && images == 0) continue;
+                QN_TRY(room_for(w, share, (to > from ? to - from : 0) + images));
+                list_run(w, share, i, from, to);
+                list_run(w, share, i, w->count + rise[0], w->count + rise[1]);
+                if (!own) list_run(w, share, i, w->count + fall[0], w->count + fall[1]);
+            }
+    return QN_OK;
+}
+
 static qn_status list_particle(const qn_world *w, qn_share *share, int i)
 {
     const qn_sorter *s = w->neighbours->sorter;
-    const qn_grid *g = &s->grid;
-    int cell[3] = {qn_grid_cell(g, 0, w->place[i].x), qn_grid_cell(g, 1, w->place[i].y),
-                   qn_grid_cell(g, 2, w->place[i].z)};
-    int low[3], high[3];
-    for (int axis = 0; axis < 3; axis++) {
-        low[axis] = cell[axis] > 0 ? cell[axis] - 1 : 0;
-        high[axis] = cell[axis] + 1 < g->cells[axis] ? cell[axis] + 1 : cell[axis];
-    }
-    for (int z = low[2]; z <= high[2]; z++)
-        for (int y = low[1]; y <= high[1]; y++)
-            for (int x = low[0]; x <= high[0]; x++) {
-                uint32_t key = qn_grid_key(g, x, y, z);
-                int from = s->start[key], to = s->start[key + 1];
-                int image_from = s->image_start[key] + w->count;
-                int image_to = s->image_start[key + 1] + w->count;
-                if (from <= i) from = i + 1;
-                if (to > from || image_to > image_from)
-                    QN_TRY(room_for(w, share, (to > from ? to - from : 0) + image_to - image_from));
-                list_run(w, share, i, from, to);
-                list_run(w, share, i, image_from, image_to);
-            }
+    for (int level = s->level[w->place[i].klass]; level < s->level_count; level++)
+        QN_TRY(list_level(w, share, i, level));
     return QN_OK;
 }
 
@@ -219,13 +239,14 @@ qn_status qn_neighbours_rebuild(qn_world *w)
 {
     qn_neighbours *nb = w->neighbours;
     qn_sorter *s = nb->sorter;
-    double cell = 2 * w->largest_radius + nb->skin;
     QN_TRY(check_all(w));
     QN_TRY(qn_history_collect(w));
-    QN_TRY(qn_grid_lay(&s->grid, w, cell));
+    QN_TRY(QN_RESERVE(nb->anchor, nb->anchor_room, w->count));
+    nb->share_count = share_count(w);
+    QN_TRY(qn_grids_lay(s, w, nb->skin));
     QN_TRY(qn_sort_particles(s, w));
     qn_bodies_follow(w, s->to);
-    QN_TRY(qn_sort_images(s, w, cell, &nb->image_count));
+    QN_TRY(qn_sort_images(s, w, nb->skin, &nb->rising_count, &nb->image_count));
     for (int64_t k = 0; k < s->touch_count; k++) s->touches[k].index = s->to[s->touches[k].index];
     if (s->touch_count > 0) qsort(s->touches, (size_t)s->touch_count, sizeof *s->touches, by_index);
     for (int i = 0; i < w->count; i++)
@@ -233,5 +254,6 @@ qn_status qn_neighbours_rebuild(qn_world *w)
     QN_TRY(list_all(w));
     nb->rebuilds++;
     nb->stale = false;
+    nb->built = true;
     return QN_OK;
 }

@@ -2,7 +2,8 @@
 // Neighbours: which pairs of particles may touch during the next few steps, and what every touching
 // pair remembers.
 //
-// Cell grid -> counting sort along a Morton curve -> half pair list with a skin. Rebuilt when some
+// Cell grids, one per level of sizes -> counting sort by level and along a Morton curve -> half pair
+// list with a skin, each pair in the row of the smaller. Rebuilt when some
 // particle has moved half the skin, about every 20 to 100 steps; a rebuild re-sorts the particles
 // and carries every contact's history over by id. The particles are cut into one share per thread,
 // each with its own rows, history and wall contacts. Because forces are integer sums and the list
@@ -10,8 +11,9 @@
 // or on the shares: a checkpoint needs contacts, not lists.
 //
 // Periodic images: particles near the low end get an image one period further up, so that each pair
-// across the boundary stands in the list once. An image has a place but no motion and no load of its
-// own: its `home` is the original.
+// across the boundary stands in the list once; as the small look for the large, large ones near the high
+// end get one further down too, for smaller levels. An image has a place but no motion and no load of
+// its own: its `home` is the original.
 #ifndef QN_WORLD_NEIGHBOURS_H
 #define QN_WORLD_NEIGHBOURS_H
 
@@ -46,11 +48,14 @@ typedef struct qn_anchor {
 struct qn_neighbours {
     double skin;  // m
     bool stale;   //     to be rebuilt before it is used again
+    bool built;   //     there is a list; else history waits for one (history.h)
     int64_t rebuilds;
-    int share_count;
-    qn_share *shares;          //     owned
-    qn_anchor *anchor;         //     owned; by particle
+    int share_count, share_room;
+    qn_share *shares;   //     owned
+    qn_anchor *anchor;  //     owned; by particle
+    int64_t anchor_room;
     int image_count;           //     periodic images, at place[count..]
+    int rising_count;          //     the first of them: one period up; the others are one down
     double *reach2;            // m2  owned; squared distance at which a pair of classes is listed
     double *touch2;            // m2  owned; squared distance at which it touches
     struct qn_sorter *sorter;  //     buffers of the rebuild; owned

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/sorter.h"
+#include "world/population.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,32 +36,83 @@ static qn_status fill_codes(qn_grid *grid)
     return QN_OK;
 }
 
-qn_status qn_grid_lay(qn_grid *grid, const qn_world *w, double cell)
+// Classes by falling radius; fixed ones among them, as any.
+static int next_smaller(const qn_world *w, double below)
 {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (int i = 0; i < w->count; i++) {
-        const double x[3] = {w->place[i].x, w->place[i].y, w->place[i].z};
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = qn_min(low[axis], x[axis]);
-            high[axis] = qn_max(high[axis], x[axis]);
-        }
+    int found = -1;
+    for (int c = 0; c < w->class_count; c++)
+        if (w->classes[c].radius < below
+            && (found < 0 || w->classes[c].radius > w->classes[found].radius))
+            found = c;
+    return found;
+}
+
+qn_status qn_sorter_plan(qn_sorter *s, const qn_world *w)
+{
+    double radius[QN_LEVELS_MAX];
+    int n = 0;
+    QN_TRY(QN_ALLOCATE(s->level, w->class_count));
+    for (int c = next_smaller(w, INFINITY); c >= 0; c = next_smaller(w, w->classes[c].radius)) {
+        double r = w->classes[c].radius;
+        if (n == 0 || (n < QN_LEVELS_MAX && r * QN_LEVEL_RATIO < radius[n - 1])) radius[n++] = r;
+        for (int other = 0; other < w->class_count; other++)
+            if (w->classes[other].radius == r) s->level[other] = n - 1;
     }
-    if (w->period > 0) high[2] = qn_max(high[2], w->period + cell);  // room for the images
-    double wanted = 4.0 * w->count + 4096;
+    for (int c = 0; c < w->class_count; c++) s->level[c] = n - 1 - s->level[c];
+    for (int l = 0; l < n; l++) s->grids[l].radius = radius[n - 1 - l];
+    s->level_count = n;
+    return QN_OK;
+}
+
+// Cells of at least `cell` for `count` particles within low and high.
+static qn_status lay(qn_grid *grid, int64_t count, double cell)
+{
+    double wanted = 4.0 * (double)count + 4096;
     for (;; cell *= 1.26) {
         double cells = 1;
         bool small = true;
         for (int axis = 0; axis < 3; axis++) {
-            double n = floor((high[axis] - low[axis]) / cell) + 1;
+            double n = floor((grid->high[axis] - grid->low[axis]) / cell) + 1;
             small &= n <= (1 << BITS_MAX);
             cells *= n;
-            grid->low[axis] = low[axis];
             grid->cells[axis] = small ? (int)n : 0;
         }
         if (small && cells <= wanted) break;
     }
     grid->inverse_cell = 1 / cell;
     return fill_codes(grid);
+}
+
+qn_status qn_grids_lay(qn_sorter *s, const qn_world *w, double skin)
+{
+    int64_t count[QN_LEVELS_MAX] = {0};
+    for (int l = 0; l < s->level_count; l++)
+        for (int axis = 0; axis < 3; axis++)
+            s->grids[l].low[axis] = INFINITY, s->grids[l].high[axis] = -INFINITY;
+    for (int i = 0; i < w->count; i++) {
+        int l = s->level[w->place[i].klass];
+        qn_grid *g = &s->grids[l];
+        const double x[3] = {w->place[i].x, w->place[i].y, w->place[i].z};
+        count[l]++;
+        for (int axis = 0; axis < 3; axis++) {
+            g->low[axis] = qn_min(g->low[axis], x[axis]);
+            g->high[axis] = qn_max(g->high[axis], x[axis]);
+        }
+    }
+    s->keys = 0;
+    for (int l = 0; l < s->level_count; l++) {
+        qn_grid *g = &s->grids[l];
+        double cell = 2 * g->radius + skin;
+        if (count[l] == 0) memset(g->low, 0, sizeof g->low), memset(g->high, 0, sizeof g->high);
+        if (w->period > 0) {  // room for the images
+            g->low[2] = l > 0 ? -cell : 0;
+            g->high[2] = w->period + cell;
+        }
+        QN_TRY(lay(g, count[l], cell));
+        g->first_key = s->keys;
+        s->keys += g->keys;
+    }
+    return QN_OK;
 }
 
 // Turns counts per key, kept one place on in start[], into first indices.
@@ -71,7 +123,7 @@ static void accumulate(int32_t *start, int64_t keys)
 
 static qn_status reserve(qn_sorter *s, const qn_world *w)
 {
-    QN_TRY(QN_RESERVE(s->start, s->start_room, s->grid.keys + 2));
+    QN_TRY(QN_RESERVE(s->start, s->start_room, s->keys + 2));
     QN_TRY(QN_RESERVE(s->key, s->key_room, w->count));
     QN_TRY(QN_RESERVE(s->from, s->from_room, w->count));
     return QN_RESERVE(s->to, s->to_room, w->count);
@@ -101,12 +153,13 @@ qn_status qn_sort_particles(qn_sorter *s, qn_world *w)
 {
     QN_TRY(reserve(s, w));
     QN_TRY(reserve_records(s, w));
-    memset(s->start, 0, (size_t)(s->grid.keys + 2) * sizeof *s->start);
+    memset(s->start, 0, (size_t)(s->keys + 2) * sizeof *s->start);
     for (int i = 0; i < w->count; i++) {
-        s->key[i] = qn_grid_key_at(&s->grid, &w->place[i]);
+        const qn_place *p = &w->place[i];
+        s->key[i] = (uint32_t)qn_grid_key_at(&s->grids[s->level[p->klass]], p);
         s->start[s->key[i] + 2]++;
     }
-    accumulate(s->start + 1, s->grid.keys);
+    accumulate(s->start + 1, s->keys);
     for (int i = 0; i < w->count; i++) {
         int32_t at = s->start[s->key[i] + 1]++;
         s->from[at] = i;
@@ -126,42 +179,45 @@ qn_status qn_sort_particles(qn_sorter *s, qn_world *w)
     return QN_OK;
 }
 
-// As many records as the world has particles and images; the loads and ids of images stay unused.
-static qn_status make_room(qn_world *w, int64_t wanted)
+// Adds the image of a particle at `rise` (m) above it, for the keys from `first` on.
+static qn_status add_image(qn_sorter *s, const qn_place *p, double rise, int64_t first, int *n)
 {
-    int64_t room = w->room;
-    if (wanted <= room) return QN_OK;
-    QN_TRY(qn_reserve((void **)&w->place, &room, wanted, sizeof *w->place));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->motion, &room, wanted, sizeof *w->motion));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->load, &room, wanted, sizeof *w->load));
-    room = w->room;
-    QN_TRY(qn_reserve((void **)&w->id, &room, wanted, sizeof *w->id));
-    w->room = room;
+    QN_TRY(QN_RESERVE(s->images, s->image_room, *n + 1));
+    qn_place *image = &s->images[(*n)++];
+    *image = *p;
+    image->z += rise;
+    s->image_start[first + qn_grid_key_at(&s->grids[s->level[p->klass]], image) + 2]++;
     return QN_OK;
 }
 
-qn_status qn_sort_images(qn_sorter *s, qn_world *w, double reach, int *count)
+qn_status qn_sort_images(qn_sorter *s, qn_world *w, double skin, int *rising, int *count)
 {
+    int64_t keys = 2 * s->keys;
     int n = 0;
-    QN_TRY(QN_RESERVE(s->image_start, s->image_start_room, s->grid.keys + 2));
-    memset(s->image_start, 0, (size_t)(s->grid.keys + 2) * sizeof *s->image_start);
-    *count = 0;
+    QN_TRY(QN_RESERVE(s->image_start, s->image_start_room, keys + 2));
+    memset(s->image_start, 0, (size_t)(keys + 2) * sizeof *s->image_start);
+    *rising = *count = 0;
     if (w->period <= 0) return QN_OK;
     for (int i = 0; i < w->count; i++) {
-        if (w->place[i].z >= reach) continue;
-        QN_TRY(QN_RESERVE(s->images, s->image_room, n + 1));
-        s->images[n] = w->place[i];
-        s->images[n].z += w->period;
-        s->image_start[qn_grid_key_at(&s->grid, &s->images[n]) + 2]++;
-        n++;
+        const qn_place *p = &w->place[i];
+        double reach = w->classes[p->klass].radius + s->grids[s->level[p->klass]].radius + skin;
+        if (p->z < reach) QN_TRY(add_image(s, p, w->period, 0, &n));
     }
-    QN_TRY(make_room(w, w->count + n));
-    accumulate(s->image_start + 1, s->grid.keys);
+    *rising = n;
+    for (int i = 0; i < w->count; i++) {
+        const qn_place *p = &w->place[i];
+        int level = s->level[p->klass];
+        if (level == 0) continue;
+        double reach = w->classes[p->klass].radius + s->grids[level - 1].radius + skin;
+        if (p->z >= w->period - reach) QN_TRY(add_image(s, p, -w->period, s->keys, &n));
+    }
+    QN_TRY(qn_population_reserve(w, w->count + n));
+    accumulate(s->image_start + 1, keys);
     for (int k = 0; k < n; k++) {
-        uint32_t key = qn_grid_key_at(&s->grid, &s->images[k]);
-        w->place[w->count + s->image_start[key + 1]++] = s->images[k];
+        const qn_place *image = &s->images[k];
+        int64_t key =
+            qn_grid_key_at(&s->grids[s->level[image->klass]], image) + (k < *rising ? 0 : s->keys);
+        w->place[w->count + s->image_start[key + 1]++] = *image;
     }
     *count = n;
     return QN_OK;
@@ -170,10 +226,12 @@ qn_status qn_sort_images(qn_sorter *s, qn_world *w, double reach, int *count)
 void qn_sorter_free(qn_sorter *s)
 {
     if (!s) return;
-    for (int axis = 0; axis < 3; axis++) free(s->grid.code[axis]);
+    for (int l = 0; l < QN_LEVELS_MAX; l++)
+        for (int axis = 0; axis < 3; axis++) free(s->grids[l].code[axis]);
+    free(s->level);
     free(s->start), free(s->image_start), free(s->key), free(s->from), free(s->to);
     free(s->place), free(s->images), free(s->motion), free(s->id);
-    free(s->carried), free(s->carried_row), free(s->gathered), free(s->gathered_low);
+    free(s->carried), free(s->carried_row), free(s->gathered), free(s->gathered_owner);
     free(s->touches);
     free(s);
 }

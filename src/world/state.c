@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "world/bodies.h"
 #include "world/neighbours.h"
+#include "world/population.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -190,7 +191,7 @@ qn_status qn_world_export(const qn_world *w, qn_state *s)
 
 static qn_status check(const qn_world *w, const qn_state *s)
 {
-    if (s->count != w->count)
+    if (s->count != w->count && !w->flow)
         return qn_fail(QN_INPUT, "the state holds %lld particles, the scene makes %d",
                        (long long)s->count, w->count);
     for (int64_t k = 0; k < s->count; k++) {
@@ -226,7 +227,9 @@ qn_status qn_world_import(qn_world *w, const qn_state *s)
     QN_TRY(check(w, s));
     QN_TRY(QN_ALLOCATE(contacts, s->contact_count));
     qn_status status = QN_ALLOCATE(touches, s->wall_contact_count);
+    if (status == QN_OK) status = qn_population_reserve(w, s->count);
     if (status == QN_OK) {
+        w->count = (int)s->count;
         for (int k = 0; k < w->count; k++) {
             qn_vec3 x = take(s->position, k);
             w->place[k] = (qn_place){x.x, x.y, x.z, s->klass[k], k};

@@ -93,6 +93,8 @@ static double height(const qn_def *def)
 static double given_speed(const qn_def *def)
 {
     double fastest = 0;
+    for (int k = 0; k < def->feed_count; k++)
+        fastest = qn_max(fastest, qn_norm(def->feeds[k].velocity));
     for (int k = 0; k < def->group_count; k++) {
         const qn_group_def *group = &def->groups[k];
         if (!group->list_velocity) fastest = qn_max(fastest, qn_norm(group->velocity));

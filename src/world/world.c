@@ -2,6 +2,7 @@
 #include "world/world.h"
 #include "world/bodies.h"
 #include "world/classes.h"
+#include "world/flow.h"
 #include "world/neighbours.h"
 #include "world/pack.h"
 #include "world/timestep.h"
@@ -128,12 +129,13 @@ static qn_status build(qn_world *w)
     QN_TRY(check_period(w));
     QN_TRY(qn_pairs_build(w));
     QN_TRY(ledger_create(w));
-    QN_TRY(qn_pack(&w->def, w->classes, &w->walls, &seedlings, &count));
+    QN_TRY(qn_pack(&w->def, w->classes, w->class_count, &w->walls, &seedlings, &count));
     double reach = lever(w, seedlings, count);
     qn_status status = settle_in(w, seedlings, count);
     free(seedlings);
     QN_TRY(status);
-    qn_units_choose(w, w->count, reach);
+    QN_TRY(qn_flow_create(w));
+    qn_units_choose(w, qn_flow_most(w), reach);
     return qn_neighbours_create(w);
 }
 
@@ -176,6 +178,7 @@ void qn_world_destroy(qn_world *w)
 {
     if (!w) return;
     qn_neighbours_destroy(w->neighbours);
+    qn_flow_destroy(w->flow);
     qn_walls_free(&w->walls);
     qn_def_free(&w->def);
     free(w->classes);

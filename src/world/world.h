@@ -69,6 +69,7 @@ typedef struct qn_wall_contact {
 } qn_wall_contact;
 
 typedef struct qn_neighbours qn_neighbours;  // world/neighbours.h
+typedef struct qn_flow qn_flow;              // world/flow.h
 
 typedef struct qn_world {
     // Fixed for the run.
@@ -109,6 +110,7 @@ typedef struct qn_world {
     qn_ledger ledger;   //       owned; energies lost and work done since step 0
     qn_wear wear;       //       owned; what the walls' facets have suffered since step 0
     qn_neighbours *neighbours;  //       owned; the pair list, with the contacts' history
+    qn_flow *flow;              //       owned; feeds and outlets, NULL without
     int threads;
     bool started;    //       velocities are half a step back (qn_step_begin)
     bool committed;  //       this step's forces have moved the histories on

@@ -58,6 +58,28 @@ def mills():
         near(found["time_s"] * found["speed_rad_s"] / 6.283185307179586, 4, 1e-6)
 
 
+@test("a size distribution becomes a table of diameters, numbers and shares of mass")
+def sizes():
+    scene = write("sizes.yaml", changed(MILL, (
+        "diameter: 2.5 mm, filling: 30 %",
+        "mass: 20 g, distribution: {kind: rosin-rammler, d63: 3 mm, n: 2, min: 1.5 mm, max: 4 mm, classes: 5}")))
+    found, _ = checked(scene)
+    rows = found["sizes"]["balls"]
+    assert len(rows) == 5 and sum(row["number"] for row in rows) == found["particles"]
+    mass = [row["number"] * row["diameter_m"] ** 3 * 2500 * 3.141592653589793 / 6 for row in rows]
+    near(sum(mass), 20e-3, 5e-4)
+    near(found["mass_kg"], sum(mass), 1e-9)
+    below = 0.0
+    for k, row in enumerate(rows):
+        near(row["mass_share"], mass[k] / sum(mass), 1e-9)
+        below += row["mass_share"]
+        passing = [1 - math.exp(-(d / 3e-3) ** 2) for d in (1.5e-3, 1.5e-3 * (4 / 1.5) ** ((k + 1) / 5), 4e-3)]
+        assert abs(below - (passing[1] - passing[0]) / (passing[2] - passing[0])) < 5e-3
+    text = quern("check", scene).expect(0).out
+    assert "sizes of balls" in text and f"{rows[0]['number']}" in text
+    assert "sizes of" not in quern("check", write("one.yaml", MILL)).expect(0).out
+
+
 @test("the numbers of a scene are consistent, and those for people are the same")
 def numbers():
     scene = write("mill.yaml", MILL)

@@ -74,7 +74,7 @@ static const struct {
     const char *from, *to, *first;
 } wrong[] = {
     {"ramp:", "rampe:", "s.yaml:15:3: error: unknown key 'rampe' in drum; did you mean 'ramp'?"},
-    {"time:", "zeitdauer: 1\ntime:", "s.yaml:2:1: error: unknown key 'zeitdauer' in the scene; known are: format, title, gravity, seed, time, materials, contacts, drum, walls, particles, measure, output, numerics"},
+    {"time:", "zeitdauer: 1\ntime:", "s.yaml:2:1: error: unknown key 'zeitdauer' in the scene; known are: format, title, gravity, seed, time, materials, contacts, drum, walls, particles, feeds, outlets, measure, output, numerics"},
     {"material: soft-glass", "material: soft-gras", "s.yaml:13:13: error: drum.material = soft-gras is not a material; did you mean 'soft-glass'?"},
     {"material: soft-glass", "material: wood", "s.yaml:13:13: error: drum.material = wood is not a material; known are: glass soft-glass"},
     {"soft-glass-glass:", "soft-glas-glass:", "s.yaml:9:3: error: 'soft-glas-glass' in contacts is not a pair of materials; did you mean 'soft-glass-glass'?"},
@@ -101,7 +101,7 @@ static const struct {
     {"45 deg", "100 deg", "s.yaml:16:61: error: drum.lifters.face_angle = 100 deg must be above 0 and at most 90 deg (between side face and shell, 90 deg is rectangular; instead of base)"},
     {"2500}", "2500.5}", "s.yaml:18:51: error: particles.balls.count = 2500.5 is not a whole number"},
     {"2500}", "many}", "s.yaml:18:51: error: particles.balls.count = many is not a whole number"},
-    {"diameter: 3 mm", "diameter: -3 mm", "s.yaml:18:38: error: particles.balls.diameter = -3 mm must be above 0 mm (of every sphere; this or sizes)"},
+    {"diameter: 3 mm", "diameter: -3 mm", "s.yaml:18:38: error: particles.balls.diameter = -3 mm must be above 0 mm (of every sphere; this, sizes or distribution)"},
     {"0.23", "nan", "s.yaml:4:35: error: materials.glass.poisson = nan is not a number"},
     {"64 MPa", "inf MPa", "s.yaml:4:18: error: materials.glass.young = inf MPa is not a number"},
     {"64 MPa", "0x40 MPa", "s.yaml:4:18: error: materials.glass.young = 0x40 MPa has no known unit: 'x40 MPa'; allowed: Pa, kPa, MPa, GPa"},
@@ -171,7 +171,6 @@ static const struct {
     {"particles:\n", "walls:\n  room: {shape: box, material: glass, low: 0 0 0 m, high: 1 1 0 m}\nparticles:\n", "s.yaml:18:59: error: walls.room.high = 1 1 0 m must be above low, 0 0 0 m, in each coordinate"},
     {"count: 2500", "at: 0 0 0 m, count: 1", "s.yaml:18:64: error: particles.balls.count = 1 means nothing where fill is at"},
     {"count: 2500", "count: 2500, mass: 1 kg", "s.yaml:18:63: error: particles.balls.mass = 1 kg is given besides count; give one of count, filling, mass"},
-    {"diameter: 3 mm, ", "", "s.yaml:18:3: error: particles.balls lacks the key 'diameter' (or 'sizes'): of every sphere; this or sizes"},
     {"count: 2500", "count: 2500, shape: cube", "s.yaml:18:64: error: particles.balls.shape = cube is unknown; allowed: sphere tetrahedron file"},
     {"count: 2500", "count: 2500, shape: tetrahedron, spacing: 5", "s.yaml:18:86: error: particles.balls.spacing = 5 must be above 0 and at most 4 (between the centres of a tetrahedron's spheres, in their radii)"},
     {"count: 2500", "count: 2500, spacing: 1", "s.yaml:18:66: error: particles.balls.spacing = 1 means nothing where shape is not tetrahedron"},
@@ -179,6 +178,13 @@ static const struct {
     {"count: 2500", "count: 2500, shape: file", "s.yaml:18:3: error: particles.balls lacks the key 'shape_file': CSV of a clump's spheres: x y z radius, in any unit as diameter gives the size"},
     {"count: 2500", "count: 2500, shape: file, shape_file: none.csv", "s.yaml:18:82: error: particles.balls.shape_file = none.csv cannot be used: "},
     {"count: 2500", "count: 2500, shape: tetrahedron, fixed: yes, spin: 0 0 1 rad/s", "s.yaml:18:95: error: particles.balls.spin = 0 0 1 rad/s means nothing for clumps that are fixed"},
+    {"diameter: 3 mm, ", "", "s.yaml:18:3: error: particles.balls lacks the key 'diameter' (or 'sizes' or 'distribution'): of every sphere; this, sizes or distribution"},
+    {"diameter: 3 mm", "diameter: 3 mm, distribution: {kind: normal}", "s.yaml:18:58: error: particles.balls.distribution cannot stand beside diameter"},
+    {"diameter: 3 mm", "distribution: {kind: log-normal, min: 1 mm, max: 3 mm}", "s.yaml:18:49: error: particles.balls.distribution.kind = log-normal is unknown; did you mean 'lognormal'? Allowed: normal lognormal rosin-rammler gaudin-schuhmann"},
+    {"diameter: 3 mm", "distribution: {kind: lognormal, median: 2 mm, min: 1 mm, max: 3 mm}", "s.yaml:18:28: error: particles.balls.distribution lacks the key 'sigma' of a lognormal distribution: lognormal: standard deviation of ln d"},
+    {"diameter: 3 mm", "distribution: {kind: rosin-rammler, d63: 2 mm, n: 1, top: 2 mm, min: 1 mm, max: 3 mm}", "s.yaml:18:86: error: particles.balls.distribution.top = 2 mm means nothing where kind is rosin-rammler"},
+    {"diameter: 3 mm", "distribution: {kind: rosin-rammler, d63: 2 mm, n: 1, min: 3 mm, max: 2 mm}", "s.yaml:18:97: error: particles.balls.distribution.max = 2 mm must be above min, 0.003 m"},
+    {"diameter: 3 mm", "distribution: {kind: gaudin-schuhmann, top: 2 mm, m: 1, min: 3 mm, max: 4 mm}", "s.yaml:18:28: error: particles.balls.distribution: the size distribution has nothing between 0.003 and 0.004 m"},
     {"  balls:", "  red balls:", "s.yaml:18:3: error: 'red balls' cannot be the name of a group of particles: use up to 47 letters, digits, '_', '-', '.'"},
     {"measure: {", "output: {frames: 10 steps, checkpoint: 5 steps}\nmeasure: {", "s.yaml:19:40: error: output.checkpoint = 5 steps should be a time (s, ms, us, ns, min, h), but steps is the unit of time steps"},
 };
@@ -326,6 +332,18 @@ static void clumps_are_read_as_they_are_meant(void)
     o = read_changed("count: 2500", "at: 0 0 4 mm, shape: tetrahedron, turned: 0 0 90 deg");
     CHECK(o.status == QN_OK && !o.def.groups[0].turned_at_random);
     CHECK_NEAR(o.def.groups[0].turned.z, QN_PI / 2, 1e-15);
+    release(&o);
+}
+
+static void a_distribution_becomes_classes_by_number(void)
+{
+    outcome o =
+        read_changed("diameter: 3 mm", "distribution: {kind: gaudin-schuhmann, by: number, "
+                                       "top: 4 mm, m: 1, min: 1 mm, max: 4 mm, classes: 2}");
+    const qn_group_def *g = &o.def.groups[0];
+    CHECK(o.status == QN_OK && g->size_count == 2);
+    CHECK_NEAR(g->fraction[0], 1.0 / 3, 1e-12);
+    CHECK_NEAR(g->diameter[1], cbrt((256 - 16) / 4.0 / 2) * 1e-3, 1e-12);
     release(&o);
 }
 
@@ -517,6 +535,7 @@ int main(int argc, char **argv)
     TEST(what_is_no_scene_at_all_is_refused);
     TEST(fractions_by_mass_become_fractions_by_number);
     TEST(clumps_are_read_as_they_are_meant);
+    TEST(a_distribution_becomes_classes_by_number);
     TEST(a_schedule_gives_every_leg);
     TEST(a_box_is_six_planes_that_face_inwards);
     TEST(a_resolved_scene_reads_as_the_same_scene);

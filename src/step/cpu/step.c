@@ -3,6 +3,7 @@
 #include "step/step.h"
 #include "step/bodies.h"
 #include "step/cpu/kernel.h"
+#include "step/flow.h"
 #include "step/guards.h"
 
 #include <string.h>
@@ -12,9 +13,10 @@
 // Periodic images follow their originals.
 static void place_images(qn_world *w)
 {
-    for (int k = w->count; k < w->count + w->neighbours->image_count; k++) {
+    const qn_neighbours *nb = w->neighbours;
+    for (int k = w->count; k < w->count + nb->image_count; k++) {
         w->place[k] = w->place[w->place[k].home];
-        w->place[k].z += w->period;
+        w->place[k].z += k < w->count + nb->rising_count ? w->period : -w->period;
     }
 }
 
@@ -178,6 +180,7 @@ qn_status qn_step_advance(qn_world *w)
     qn_neighbours *nb = w->neighbours;
     qn_ledger *ledger = &w->ledger;
     int spent = 0, unsound = 0;
+    if (w->flow) QN_TRY(qn_flow_look(w));
     for (int e = 0; e < QN_LOSS_COUNT; e++) ledger->lost[e] += ledger->now[e];
     for (int p = 0; p < ledger->part_count; p++) {
         ledger->work[p] += ledger->power_now[p] * w->dt;
@@ -197,5 +200,6 @@ qn_status qn_step_advance(qn_world *w)
     nb->stale |= spent;
     w->step++;
     w->committed = false;
-    return unsound ? qn_guard_speed(w, fast) : QN_OK;
+    if (unsound) return qn_guard_speed(w, fast);
+    return w->flow ? qn_flow_act(w) : QN_OK;
 }

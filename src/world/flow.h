@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Feeds and outlets: what they have done so far, and where a feed can put particles.
+//
+// step/flow.h acts; here is what survives a checkpoint and what measures ask for.
+#ifndef QN_WORLD_FLOW_H
+#define QN_WORLD_FLOW_H
+
+#include "base/column.h"
+#include "world/world.h"
+
+/// One feed while running.
+typedef struct qn_feed {
+    int site_count;
+    qn_vec3 *sites;   // m   centres where the largest sphere fits beside its neighbours; owned
+    int first_class;  //     of its group
+    int64_t stride;   //     steps between its occasions
+} qn_feed;
+
+struct qn_flow {
+    int feed_count, outlet_count, class_count;
+    qn_feed *feeds;         //     owned
+    int64_t outlet_stride;  //     steps between looks at the outlets
+    int64_t most;           //     particles there may be at the end of the run, about
+    bool *gone;             //     by particle: leaves at the end of this step; owned
+    int64_t gone_room;
+    int gone_count;
+    // Kept in a checkpoint.
+    int64_t next_id;
+    int64_t *fed;      //     [feed * class_count + class]; owned
+    int64_t *taken;    //     [outlet * class_count + class]; owned
+    double energy[2];  // J   kinetic and gravity's of what came in; all of what went out
+};
+
+/// Prepares the feeds and outlets of the definition; leaves world->flow NULL where there are none.
+/// QN_INPUT where a feed has no room for a single sphere.
+QN_NODISCARD qn_status qn_flow_create(qn_world *world);
+void qn_flow_destroy(qn_flow *flow);
+
+/// Energy (J) that feeds have brought in and outlets have taken out; 0 without any.
+double qn_flow_energy_in(const qn_world *world);
+double qn_flow_energy_out(const qn_world *world);
+
+/// Particles and mass (kg) that a feed has given or an outlet has taken.
+int64_t qn_flow_count(const qn_world *world, const int64_t *by_class);
+double qn_flow_mass(const qn_world *world, const int64_t *by_class);
+
+/// The same of all feeds (0) or all outlets (1).
+double qn_flow_total_count(const qn_world *world, int which);
+double qn_flow_total_mass(const qn_world *world, int which);
+
+/// Particles (1) there may be at most, those of now without feeds: for the size of sums.
+int64_t qn_flow_most(const qn_world *world);
+
+/// What must survive a checkpoint, as columns that point into the flow. Returns how many.
+enum { QN_FLOW_COLUMNS = 4 };
+int qn_flow_columns(qn_flow *flow, qn_column columns[QN_FLOW_COLUMNS]);
+
+#endif
