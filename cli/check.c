@@ -253,7 +253,7 @@ static qn_status report(const char *path, const char *text, qn_def *def, bool as
         status = print_json(w, &f);
     else
         print_report(w, &f);
-    char warnings[2048];
+    char warnings[CLI_WARNINGS_MAX];
     fputs(cli_warnings(w, &f, warnings, sizeof warnings), stderr);
     qn_world_destroy(w);
     return status;

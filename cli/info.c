@@ -7,6 +7,7 @@
 #include "record/checkpoint.h"
 #include "record/table.h"
 #include "scene/load.h"
+#include "world/mesh.h"
 
 #include <dirent.h>
 #include <inttypes.h>
@@ -181,6 +182,30 @@ static qn_status print_folder(const char *folder)
 
 // ---- Meshes --------------------------------------------------------------------------------------
 
+/// What is odd about a mesh, as a run would find it.
+static qn_status print_flaws(double *vertices, int vertex_count, int *triangles, int triangle_count)
+{
+    qn_mesh_def def = {.name = "mesh",
+                       .vertex_count = vertex_count,
+                       .triangle_count = triangle_count,
+                       .vertices = vertices,
+                       .triangles = triangles};
+    qn_mesh mesh;
+    double size = 0;
+    char text[512];
+    for (int i = 0; i < 3 * vertex_count; i++) size = fmax(size, fabs(vertices[i]));
+    QN_TRY(qn_mesh_build(&def, size > 0 ? size : 1, &mesh));
+    bool odd = false;
+    for (int k = 0; k < QN_MESH_FLAW_COUNT; k++) {
+        qn_mesh_flaw_text(&mesh, k, 1, "", text, sizeof text);
+        if (*text) printf("  %s\n", strchr(text, ':') + 2);
+        odd = odd || *text;
+    }
+    if (!odd) printf("  closed, every edge between two triangles, nothing to mend\n");
+    qn_mesh_free(&mesh);
+    return QN_OK;
+}
+
 static qn_status print_mesh(const char *path)
 {
     double *vertices, low[3], high[3], area = 0;
@@ -202,9 +227,10 @@ static qn_status print_mesh(const char *path)
            vertex_count, triangle_count);
     printf("  area         %.6g\n", area);
     for (int c = 0; c < 3; c++) printf("  %c            %.6g to %.6g\n", "xyz"[c], low[c], high[c]);
+    qn_status status = print_flaws(vertices, vertex_count, triangles, triangle_count);
     free(vertices);
     free(triangles);
-    return QN_OK;
+    return status;
 }
 
 static qn_status print_info(const char *path)

@@ -237,7 +237,7 @@ static qn_status check_not_past(const char *folder, int64_t end)
 // What `quern check` would have warned of, on the terminal and in the log.
 static void warn_at_start(run *r)
 {
-    char text[2048], *line = text, *next;
+    char text[CLI_WARNINGS_MAX], *line = text, *next;
     qn_forecast forecast = qn_forecast_of(r->world, &r->timestep);
     cli_warnings(r->world, &forecast, text, sizeof text);
     if (!r->progress.quiet) fputs(text, stderr);

@@ -41,10 +41,20 @@ static void warn_of_dashpots(const qn_world *w, const qn_forecast *f, char *text
     }
 }
 
-const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, size_t room)
+/// What is odd about the meshes: most of it is mended or meant, but should be known.
+static void add_flaws(const qn_world *w, char *text, size_t room)
+{
+    char flaw[512];
+    for (int m = 0; m < w->walls.mesh_count; m++)
+        for (int k = 0; k < QN_MESH_FLAW_COUNT; k++) {
+            qn_mesh_flaw_text(&w->walls.meshes[m], k, 1e-3, "mm", flaw, sizeof flaw);
+            if (*flaw) add(text, room, "note: %s\n", flaw);
+        }
+}
+
+static void warn(const qn_world *w, const qn_forecast *f, char *text, size_t room)
 {
     double fraction = f->dt / f->timestep.rayleigh, steps = f->timestep.contact / f->dt;
-    text[0] = 0;
     if (fraction > QN_RAYLEIGH_WARN)
         add(text, room,
             "warning: the time step is %.2f of the Rayleigh time; up to %.1f is usual, above %.0f "
@@ -61,7 +71,7 @@ const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, si
             "speed at 40 steps); it is there to show that\n");
     if (!isfinite(f->end))
         add(text, room, "warning: the drum never makes the turns that time.end asks for\n");
-    if (w->def.measure.grid_count == 0) return text;
+    if (w->def.measure.grid_count == 0) return;
     if (!(f->fields_start < f->end))
         add(text, room,
             "warning: measure.fields starts at %.4g s, after the end of the run (%.4g s)\n",
@@ -72,6 +82,13 @@ const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, si
             "power "
             "are of a part of it\n",
             f->fields_end, f->end);
+}
+
+const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, size_t room)
+{
+    text[0] = 0;
+    warn(w, f, text, room);
+    add_flaws(w, text, room);
     return text;
 }
 

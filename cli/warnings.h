@@ -5,7 +5,9 @@
 
 #include "scene/forecast.h"
 
-/// Writes the warnings, a line each, to `text`; returns it. Empty where there is nothing to say.
+enum { CLI_WARNINGS_MAX = 16384 };  // room for the warnings
+
+/// Writes the warnings, and notes on the meshes, a line each, to `text`; returns it. Empty where there is nothing to say.
 const char *cli_warnings(const qn_world *world, const qn_forecast *forecast, char *text,
                          size_t room);
 

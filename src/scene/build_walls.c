@@ -106,6 +106,7 @@ qn_status qn_build_drum(qn_reader *r, const qn_scene_keys *scene)
     d->diameter = k.diameter.number;
     d->length = k.length.number;
     d->ends = (qn_ends)k.ends.choice;
+    d->corners = (qn_corners)k.corner.choice;
     d->material = qn_material_of(&k.material);
     d->end_material = k.end_material.node ? qn_material_of(&k.end_material) : d->material;
     if (k.end_material.node && d->ends == QN_ENDS_PERIODIC)

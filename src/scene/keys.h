@@ -115,6 +115,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(ramp,               NUMBER,  TIME,         "[0, inf[",  "",                 "0 s",            FIXED, "then linearly up to speed")     \
     K(schedule,           LIST,    PURE,         "",          "",                 "",               FIXED, "legs of speed, one after another; this or speed") \
     K(lifters,            MAP,     PURE,         "",          "",                 "",               FIXED, "bars along the shell")          \
+    K(corner,             WORD,    PURE,         "",          "exact shared",     "exact",          FIXED, "of the profile: exact: one stretch or corner acts; shared: each stretch acts with a share") \
     K(profile,            FILE,    PURE,         "",          "",                 "",               FIXED, "points of a closed cross-section that replaces shell and lifters") \
     K(profile_unit,       UNIT,    PURE,         "",          "",                 "mm",             FIXED, "of the profile's numbers")
 

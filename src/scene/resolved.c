@@ -155,7 +155,8 @@ static void write_drum(FILE *out, const qn_def *def)
             d->diameter, d->length, def->materials[d->material].name, ends[d->ends]);
     if (d->ends != QN_ENDS_PERIODIC)
         fprintf(out, "  end_material: %s\n", def->materials[d->end_material].name);
-    fprintf(out, "  schedule:\n");
+    fprintf(out, "  corner: %s\n  schedule:\n",
+            d->corners == QN_CORNERS_SHARED ? "shared" : "exact");
     write_legs(out, d->legs, d->leg_count, "rad/s", "    ");
     if (d->profile_count > 0) {
         fprintf(out, "  profile: ");

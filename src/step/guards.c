@@ -37,7 +37,8 @@ static void look_at_walls(const qn_world *w, int i, culprit *worst)
     double radius = w->classes[p->klass].radius;
     int count = qn_walls_touch(&w->walls, &pose, centre, radius, hits, 32);
     for (int h = 0; h < count && h < 32; h++) {
-        double deep = 1 - qn_norm(qn_sub(centre, hits[h].point)) / radius;
+        double away = hypot(qn_norm(qn_sub(centre, hits[h].point)), hits[h].beyond);
+        double deep = 1 - away / radius;
         if (!(deep > worst->share)) continue;
         worst->index = i, worst->share = deep;
         snprintf(worst->partner, sizeof worst->partner, "wall %s",

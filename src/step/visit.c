@@ -92,6 +92,9 @@ static void visit_walls(const qn_world *w, int which, qn_contact_visit *visit, v
                 t.memory = list[k].memory;
         pair.dt = 0;
         qn_contact_evaluate(w->wall_laws[kind], &pair, &reach, &t, &r);
+        r.elastic *= hits[h].share, r.damping *= hits[h].share, r.push *= hits[h].share;
+        r.stored_normal *= hits[h].share, r.stored_tangential *= hits[h].share;
+        r.tangential = qn_scale(hits[h].share, r.tangential);
         visit(user, w->id[which], -1 - hits[h].part, &r, hits[h].point);
     }
 }

@@ -87,12 +87,17 @@ typedef struct qn_drive_def {
 
 typedef enum qn_ends { QN_ENDS_PERIODIC, QN_ENDS_FIXED, QN_ENDS_TURNING } qn_ends;
 
+/// How the drum's profile is felt where two stretches meet: by exactly one owner, or by both, each with a
+/// share of its force (physics/sharing.h).
+typedef enum qn_corners { QN_CORNERS_EXACT, QN_CORNERS_SHARED } qn_corners;
+
 /// A drum about the z axis, from z = 0 to z = length; it turns about its axis.
 typedef struct qn_drum_def {
     bool present;
     char name[QN_NAME_MAX];
     double diameter, length;  // m      inside the shell
     qn_ends ends;
+    qn_corners corners;
     int material, end_material;                     //        indices of materials
     int lifter_count;                               // 1      0 for a smooth shell
     double lifter_height, lifter_top, lifter_base;  // m

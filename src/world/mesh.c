@@ -17,6 +17,7 @@ void qn_mesh_free(qn_mesh *mesh)
 {
     free(mesh->vertices);
     free(mesh->triangles);
+    free(mesh->source);
     free(mesh->edges);
     free(mesh->triangle_edges);
     free(mesh->normals);

@@ -37,6 +37,31 @@ typedef struct qn_mesh_disc {
     double unused;
 } qn_mesh_disc;
 
+// clang-format off
+//    NAME      singular, plural, whether the mesh was mended
+#define QN_MESH_FLAWS(F)                                                                            \
+    F(APART,    "vertex lies",          "vertices lie",       "a hair's breadth from another: joined with it") \
+    F(FLAT,     "triangle has",         "triangles have",     "no area: left out")             \
+    F(TWICE,    "triangle is given",    "triangles are given", "more than once and used once")              \
+    F(BORDER,   "edge belongs",         "edges belong",       "to one triangle only: a border, or a hole") \
+    F(GAP,      "border edge runs",     "border edges run",   "close to another one: a seam that is not joined, through which edges are felt") \
+    F(CROWDED,  "edge belongs",         "edges belong",       "to three triangles or more")
+// clang-format on
+
+enum {
+#define F(NAME, one, many, what) QN_MESH_##NAME,
+    QN_MESH_FLAWS(F)
+#undef F
+        QN_MESH_FLAW_COUNT
+};
+
+/// What is odd about a mesh, of one kind.
+typedef struct qn_mesh_flaw {
+    int count;
+    int first;      //    number of the first in the file, from 1: a vertex, or a triangle
+    qn_vec3 where;  // m  of the first
+} qn_mesh_flaw;
+
 typedef struct qn_mesh {
     char name[QN_NAME_MAX];
     int material;
@@ -45,6 +70,7 @@ typedef struct qn_mesh {
     int vertex_count, triangle_count, edge_count;
     qn_vec3 *vertices;     // m  owned; coincident vertices welded
     int *triangles;        //    3 x triangle_count, owned
+    int *source;           //    number of each triangle in the file, from 1; owned
     qn_mesh_edge *edges;   //    owned
     int *triangle_edges;   //    3 x triangle_count, owned; edge k runs from corner k to k + 1
     qn_vec3 *normals;      // 1  of each triangle, owned
@@ -53,10 +79,11 @@ typedef struct qn_mesh {
     qn_vec3 *wedges;       // 1  owned; the sides of the triangles at each edge
     int *vertex_owner;     //    lowest triangle at each vertex, owned
     int *fan_start, *fan;  //    edges at each vertex (CSR), owned
-    qn_vec3 low, high;     // m  bounding box
-    double reach;          // m  largest radius of a sphere that may ask
-    qn_vec3 origin;        // m  low corner of the grid, the box widened by the reach
-    double cell;           // m  side of a grid cell
+    qn_mesh_flaw flaws[QN_MESH_FLAW_COUNT];
+    qn_vec3 low, high;  // m  bounding box
+    double reach;       // m  largest radius of a sphere that may ask
+    qn_vec3 origin;     // m  low corner of the grid, the box widened by the reach
+    double cell;        // m  side of a grid cell
     int cells[3];
     int *cell_start, *cell_items;  //  triangles near each cell (CSR), owned
 } qn_mesh;
@@ -84,12 +111,33 @@ static inline double qn_mesh_area(const qn_mesh *mesh, int triangle)
     return 0.5 * qn_norm(qn_cross(ab, ac));
 }
 
-/// Builds a mesh for spheres up to `reach` (m): welds coincident vertices, drops triangles without
-/// area, finds edges, flags coplanar joints, fills the grid. QN_INPUT names what is wrong (an index
+/// Builds a mesh for spheres up to `reach` (m): joins coincident vertices, drops triangles without area and
+/// those given twice, finds edges, flags coplanar joints, fills the grid; notes in `flaws` what was odd. QN_INPUT names what is wrong (an index
 /// out of range, a coordinate that is not finite, no triangle at all).
 QN_NODISCARD qn_status qn_mesh_build(const qn_mesh_def *def, double reach, qn_mesh *mesh);
 
 void qn_mesh_free(qn_mesh *mesh);
+
+/// What is odd about a mesh as a sentence: how many of a kind, and where the first is. Lengths are told in
+/// `unit` (m) and named so; empty where there is nothing to say of that kind.
+void qn_mesh_flaw_text(const qn_mesh *mesh, int kind, double unit, const char *unit_name,
+                       char *text, size_t size);
+
+/// Fills the grid of a mesh that has its edges and fans; part of qn_mesh_build().
+QN_NODISCARD qn_status qn_mesh_grid(qn_mesh *mesh);
+
+/// Rows of lists in one block, begun at start[row]: from the counts at start[row + 1] to where each row
+/// begins, and, after filling has moved the beginnings on, back again.
+static inline void qn_rows_begin(int *start, int rows)
+{
+    for (int i = 0; i < rows; i++) start[i + 1] += start[i];
+}
+
+static inline void qn_rows_end(int *start, int rows)
+{
+    for (int i = rows; i > 0; i--) start[i] = start[i - 1];
+    start[0] = 0;
+}
 
 /// The features a sphere at `centre` with `radius` touches, in order of feature number; at most
 /// `room`. Returns how many there are, also when more than `room`.

@@ -5,6 +5,7 @@
 // neighbours both say "beyond me": the same product decides for both, so none is lost or counted
 // twice. Source of the regions: Ericson (2005), Real-Time Collision Detection, 5.1.2, 5.1.5.
 #include "world/profile.h"
+#include "physics/sharing.h"
 #include "world/touch.h"
 
 #include <stdlib.h>
@@ -61,7 +62,7 @@ static bool touch_element(const qn_profile *p, int i, double x, double y, double
     if (!owned_by_element(e, x, y)) return false;
     double height = height_over(e, p->radius, x, y);
     if (!(height >= 0 && height < radius)) return false;
-    *hit = (qn_profile_hit){i, i, x - height * e->normal_x, y - height * e->normal_y};
+    *hit = (qn_profile_hit){i, i, x - height * e->normal_x, y - height * e->normal_y, 1, 0};
     if (e->arc) {
         double scale = p->radius / (p->radius - height);
         hit->x = scale * x;
@@ -76,7 +77,35 @@ static bool touch_corner(const qn_profile *p, int i, double x, double y, double 
     const qn_element *e = &p->elements[i], *before = &p->elements[qn_profile_before(p, i)];
     if (!(square(x - e->ax) + square(y - e->ay) < radius * radius)) return false;
     if (!owned_by_corner(before, e, x, y) || !inside_corner(before, e, x, y)) return false;
-    *hit = (qn_profile_hit){p->count + i, i, e->ax, e->ay};
+    *hit = (qn_profile_hit){p->count + i, i, e->ax, e->ay, 1, 0};
+    return true;
+}
+
+/// How far (m) a foot lies within one end of an element, negative beyond it; along an arc by the chord.
+static double within_end(const double foot[2], double at_x, double at_y, double out_x, double out_y)
+{
+    double dx = foot[0] - at_x, dy = foot[1] - at_y;
+    double distance = sqrt(dx * dx + dy * dy);
+    return dx * out_x + dy * out_y < 0 ? distance : -distance;
+}
+
+/// The touch of a disc and the whole line of an element, with the share that the element takes of it.
+static bool touch_shared(const qn_profile *p, int i, double x, double y, double radius,
+                         qn_profile_hit *hit)
+{
+    const qn_element *e = &p->elements[i];
+    double height = height_over(e, p->radius, x, y);
+    if (!(height >= 0 && height < radius)) return false;
+    double out = e->arc ? p->radius / (p->radius - height) : 1;
+    const double foot[2] = {out * x - height * e->normal_x, out * y - height * e->normal_y};
+    double half = sqrt(radius * radius - height * height);  // m   of the chord
+    double before = within_end(foot, e->ax, e->ay, e->start_x, e->start_y);
+    double after = within_end(foot, e->bx, e->by, e->end_x, e->end_y);
+    double overlap = qn_min(before, half) + qn_min(after, half);
+    if (!(overlap > 0)) return false;
+    double share = overlap < 2 * half ? qn_corner_share(overlap / (2 * half)) : 1;
+    double beyond = qn_max(0, -qn_min(before, after));
+    *hit = (qn_profile_hit){i, i, foot[0], foot[1], share, beyond};
     return true;
 }
 
@@ -115,12 +144,16 @@ int qn_profile_touch(const qn_profile *profile, double x, double y, double radiu
     int n = 0;
     for (int k = profile->cell_start[cell]; k < profile->cell_start[cell + 1] && n < HITS; k++) {
         int f = profile->cell_items[k];
+        if (profile->shared) {
+            n += f < profile->count && touch_shared(profile, f, x, y, radius, &found[n]);
+            continue;
+        }
         bool touches = f < profile->count
                            ? touch_element(profile, f, x, y, radius, &found[n])
                            : touch_corner(profile, f - profile->count, x, y, radius, &found[n]);
         n += touches;
     }
-    if (n > 1) n = join_close(found, n, x, y, radius);
+    if (n > 1 && !profile->shared) n = join_close(found, n, x, y, radius);
     for (int k = 0; k < n && k < room; k++) hits[k] = found[k];
     return n;
 }

@@ -5,6 +5,8 @@
 // sphere touches an element when the foot of its centre lies within it, and a corner only from
 // within the corner's wedge, beyond both neighbours. Where two elements run on smoothly their end
 // directions are made exactly opposite, so that a joint in a straight line is felt by nothing.
+// Where corners are shared instead, every stretch whose part of the sphere's chord is not nothing acts as
+// if its line went on for ever, with a share of the force.
 // Only the inner side acts: a centre that has gone through the wall is felt no more. Elements and
 // corners near each cell of a plane grid are listed once, at set-up.
 //
@@ -41,7 +43,9 @@ typedef struct qn_element {
 typedef struct qn_profile_hit {
     int32_t feature;  //     elements first, then the corner at the start of each element
     int element;      //     the element, or that whose start the corner is
-    double x, y;      // m   nearest point
+    double x, y;      // m   nearest point; where corners are shared, of the whole line
+    double share;     // 1   of the force; 1 but where corners are shared
+    double beyond;    // m   how far that point lies beyond the element's end; 0 but there
 } qn_profile_hit;
 
 /// Which side of the profile all of a grid cell is on.
@@ -51,6 +55,7 @@ typedef struct qn_profile {
     double radius;  // m   of the circle that encloses it; the shell's for a drum
     double clear;   // m   of the largest open circle about the axis; 0 if it is not inside
     double reach;   // m   largest radius of a disc that may ask
+    bool shared;    //     corners
     int count;
     qn_element *elements;          //     owned
     double cell;                   // m

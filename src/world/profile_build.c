@@ -285,6 +285,7 @@ static qn_status build(const qn_drum_def *drum, double reach, qn_profile *p)
         return qn_fail(QN_INPUT, "the largest particle has a radius of %g m; it must be above 0",
                        reach);
     p->reach = reach;
+    p->shared = drum->corners == QN_CORNERS_SHARED;
     QN_TRY(drum->profile_count > 0 ? build_points(drum, p) : build_shell(drum, p));
     settle_corners(p);
     p->clear = qn_max(0, qn_profile_distance(p, 0, 0));

@@ -42,6 +42,9 @@ typedef struct qn_wall_hit {
     int32_t facet;  //     the facet it is, or the first of those that meet there
     int32_t body;
     qn_vec3 point;  // m   nearest point of the wall, in the lab frame
+    // 1, m   the share of its force that acts, and how far the point lies beyond the wall's end: 1 and 0 but
+    // where corners are shared (profile.h)
+    double share, beyond;
 } qn_wall_hit;
 
 typedef struct qn_walls {

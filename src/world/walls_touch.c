@@ -41,7 +41,9 @@ static void touch_profile(const qn_walls *w, const qn_pose *pose, qn_vec3 centre
                           .part = lifter + 1,
                           .facet = hits[k].element,
                           .body = w->drum_body,
-                          .point = at});
+                          .point = at,
+                          .share = hits[k].share,
+                          .beyond = hits[k].beyond});
     }
 }
 
@@ -56,7 +58,8 @@ static void touch_ends(const qn_walls *w, qn_vec3 centre, double radius, list *f
                                  .part = w->end_part[k],
                                  .facet = w->end_facet + k,
                                  .body = w->parts[w->end_part[k]].body,
-                                 .point = qn_v3(centre.x, centre.y, at[k])});
+                                 .point = qn_v3(centre.x, centre.y, at[k]),
+                                 .share = 1});
     }
 }
 
@@ -80,7 +83,8 @@ static void touch_planes(const qn_walls *w, const qn_pose *pose, qn_vec3 centre,
                                  .part = w->plane_part + i,
                                  .facet = w->plane_facet + i,
                                  .body = body,
-                                 .point = qn_madd(centre, -height, normal)});
+                                 .point = qn_madd(centre, -height, normal),
+                                 .share = 1});
     }
 }
 
@@ -98,7 +102,8 @@ static void touch_meshes(const qn_walls *w, const qn_pose *pose, qn_vec3 centre,
                                      .part = m->part,
                                      .facet = m->first_facet + qn_mesh_facet(m, hits[k].feature),
                                      .body = m->body,
-                                     .point = qn_frame_leave(frame, hits[k].point)});
+                                     .point = qn_frame_leave(frame, hits[k].point),
+                                     .share = 1});
     }
 }
 

@@ -74,8 +74,7 @@ static void a_resolved_motion_reads_as_the_same_motion(void)
 {
     static const char *const motions[] = {
         "{kind: rotate, axis: 1 2 2, through: 10 0 5 mm, speed: 60 rpm, settle: 1 s, ramp: 0.5 s}",
-        "{kind: swing, axis: 3 4 0, amplitude: 10 deg, frequency: 2 Hz, settle: 0.1 s, phase: 9 "
-        "deg}",
+        "{kind: swing, axis: 3 4 0, amplitude: 9 deg, frequency: 2 Hz, settle: 1 s, phase: 9 deg}",
         "{kind: translate, direction: 0 -2 0, speed: 3 cm/s}",
         "{kind: oscillate, direction: 0 1 1, amplitude: 2 mm, frequency: 3 Hz}"};
     for (int k = 0; k < 4; k++) {

@@ -227,6 +227,17 @@ static void load_wall(qn_world *w, qn_share *share, const qn_pose *pose, const q
     qn_wear_add(&w->wear, hit->facet, work);
 }
 
+// Leaves a lane its share of everything, where a corner is shared; the depth told is that under the corner.
+static void share_out(block *b, int l, double radius, double share, double beyond)
+{
+    double height = radius - b->depth[l];
+    b->depth[l] = qn_max(0, radius - sqrt(height * height + beyond * beyond));
+    PUT(b->force, l, qn_scale(share, GET(b->force, l)));
+    PUT(b->torque_a, l, qn_scale(share, GET(b->torque_a, l)));
+    PUT(b->torque, l, qn_scale(share, GET(b->torque, l)));
+    for (int e = 0; e < QN_TALLY_COUNT; e++) b->energy[e][l] *= share;
+}
+
 static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int kind, qn_mode mode)
 {
     workspace *work = share->workspace;
@@ -237,6 +248,8 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
     if (q->count == 0) return;
     for (int l = 0; l < W; l++) gather_wall(w, share, pose, q, l < q->count ? l : 0, l, b);
     JOIN(qn_block_evaluate, QN_ISA)(w->wall_laws[kind], &w->wall_pairs[kind], &reach, b);
+    for (int l = 0; l < q->count; l++)
+        if (q->hit[l].share < 1) share_out(b, l, c->radius, q->hit[l].share, q->hit[l].beyond);
     quantise(b, c, NULL);
     for (int l = 0; l < q->count; l++) {
         qn_wall_contact *contact = &share->walls_next[q->slot[l]];
@@ -252,7 +265,8 @@ static void flush_walls(qn_world *w, qn_share *share, const qn_pose *pose, int k
 
 // The history of a touch: that of the same feature at the last step, else that of a feature which is
 // no longer touched and whose normal is within 20 degrees, as when rolling over a joint. `taken` marks
-// those already inherited: each history goes on once.
+// those already inherited: each history goes on once. A stretch that shares a corner copies the history of
+// its neighbour, which goes on being touched.
 static qn_memory wall_history(const qn_wall_contact *old, int old_count, const qn_wall_hit *hits,
                               int hit_count, int h, qn_vec3 centre, uint32_t *taken)
 {
@@ -264,7 +278,9 @@ static qn_memory wall_history(const qn_wall_contact *old, int old_count, const q
         bool still = false;
         for (int other = 0; other < hit_count; other++)
             still |= old[k].feature == hits[other].feature;
-        if (still || *taken >> k & 1 || !(qn_dot(old[k].normal, away) > least)) continue;
+        if (!(qn_dot(old[k].normal, away) > least)) continue;
+        if (still && hits[h].share < 1) return old[k].memory;
+        if (still || *taken >> k & 1) continue;
         *taken |= (uint32_t)1 << k;
         return old[k].memory;
     }
