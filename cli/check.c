@@ -38,6 +38,12 @@ static void name_pair(const qn_def *def, const qn_contact_def *c, char *name, si
              def->materials[c->material_b].name);
 }
 
+/// Whether a law has one damping ratio for all speeds.
+static bool has_ratio(qn_law law)
+{
+    return law.damping != QN_DAMPING_NONE && law.damping != QN_DAMPING_HUNT_CROSSLEY;
+}
+
 static double damping_ratio(const qn_forecast_pair *p)
 {
     return qn_sides_damping_ratio(&p->sides);
@@ -71,7 +77,7 @@ static void put_pair(qn_json *j, const qn_world *w, const qn_contact_def *c)
     if (used) qn_json_number(j, #name, c->name);
     QN_CONTACT_NUMBERS(C)
 #undef C
-    qn_json_number(j, "damping_ratio", damping_ratio(&p));
+    if (has_ratio(c->law)) qn_json_number(j, "damping_ratio", damping_ratio(&p));
     qn_json_close(j);
 }
 
@@ -178,9 +184,10 @@ static void print_pairs(const qn_world *w)
         qn_law law = c->law;
         printf("  %-18s %s%s\n", name, law_text(law, text, sizeof text),
                p.is_wall ? "; with a wall" : "");
-        printf("  %-18s E* %.4g Pa, R* %.4g m, m* %.4g kg, damping ratio %.4g\n  %-18s", "",
-               qn_effective_young(&p.sides), qn_effective_radius(&p.sides),
-               qn_effective_mass(&p.sides), damping_ratio(&p), "");
+        printf("  %-18s E* %.4g Pa, R* %.4g m, m* %.4g kg", "", qn_effective_young(&p.sides),
+               qn_effective_radius(&p.sides), qn_effective_mass(&p.sides));
+        if (has_ratio(law)) printf(", damping ratio %.4g", damping_ratio(&p));
+        printf("\n  %-18s", "");
         const char *apart = "";
 #define C(name, unit, used, with) apart = print_number(apart, #name, c->name, unit, used);
         QN_CONTACT_NUMBERS(C)

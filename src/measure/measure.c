@@ -48,7 +48,7 @@ static int64_t step_after(const qn_world *w, int64_t first, qn_span duration)
 {
     if (first == INT64_MAX) return first;
     if (duration.unit == QN_REVOLUTIONS && w->walls.has_drum) {
-        double sense = final_speed(w) < 0 ? -1 : 1;
+        double sense = qn_drum_sense(&w->walls.drum);
         double turned = sense * qn_drum_angle(&w->walls.drum, (double)first * w->dt);
         double angle = turned + 2 * QN_PI * duration.value;
         return whole_steps(qn_drum_time(&w->walls.drum, angle) / w->dt);

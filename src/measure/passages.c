@@ -40,7 +40,7 @@ qn_status qn_passages_create(const qn_world *w, int64_t first, int64_t last, qn_
     p->active = speed != 0 && first < INT64_MAX;
     bool has_lifters = drum->lifter_count > 0 && !w->walls.has_profile_file;
     p->angle = 2 * QN_PI / (has_lifters ? drum->lifter_count : QN_PASSAGES_SMOOTH);
-    p->sense = speed < 0 ? -1 : 1;
+    p->sense = (int)qn_drum_sense(drum);
     p->dt = w->dt;
     p->drum = drum;
     p->first_step = first;

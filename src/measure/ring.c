@@ -10,12 +10,6 @@ enum { SMOOTH = 2 };  // bins averaged on each side when looking for an edge
 static const double DEGREE = QN_PI / 180;  // rad
 static const double HALF_BED = 0.3;        // 1   half the solidity of a bed
 
-static int sense_of(const qn_drum_def *drum)
-{
-    int n = drum->leg_count;
-    return n > 0 && drum->legs[n - 1].to < 0 ? -1 : 1;
-}
-
 qn_status qn_ring_create(const qn_world *w, qn_ring *ring)
 {
     memset(ring, 0, sizeof *ring);
@@ -30,7 +24,7 @@ qn_status qn_ring_create(const qn_world *w, qn_ring *ring)
     free(open);
     bool has_down = hypot(w->gravity.x, w->gravity.y) > 0;
     ring->down = has_down ? atan2(w->gravity.y, w->gravity.x) : -QN_PI / 2;
-    ring->sense = sense_of(&w->walls.drum);
+    ring->sense = (int)qn_drum_sense(&w->walls.drum);
     ring->volume_unit = qn_volume_quantum(w, ring->open_volume, 1);
     QN_TRY(QN_ALLOCATE(ring->weight, w->class_count));
     for (int c = 0; c < w->class_count; c++)

@@ -6,7 +6,8 @@
 // the sum: second order, and in step with the positions (what half a step of delay does at large size
 // ratios: Vyas et al. 2024, arXiv 2410.14798). The history advances in the contact plane of n - 1/2,
 // whose normal m is that of step n less half a step's swing: with the normal of step n a pair that
-// turns as one body with spin W would drift by r dt/2 (W.n) W every second. A wall's normal stays.
+// turns as one body with spin W would drift by r dt/2 (W.n) W every second. A wall may be curved or turn, so
+// its touch keeps the normal of step n - 1, and m lies half way; at the first touch m is that of step n.
 #ifndef QN_PHYSICS_APPROACH_H
 #define QN_PHYSICS_APPROACH_H
 
@@ -33,6 +34,7 @@ typedef struct qn_touch {
     qn_vec3 spin_a, spin_b;  // rad/s  half-step
     qn_vec3 spin_kick_a, spin_kick_b;  // rad/s
     qn_memory memory;                  //        of the previous step
+    qn_vec3 last;                      // 1      a wall's normal at the previous step; else 0
 } qn_touch;
 
 typedef struct qn_approach {
@@ -95,6 +97,8 @@ QN_FN qn_approach qn_approach_of(const qn_pair *p, const qn_reach *g, const qn_t
 
     double lag = g->arm_b > 0 ? 0.5 * p->dt / distance : 0;
     qn_vec3 m = qn_madd(n, -lag, qn_across(t->velocity, n));
+    double kept = qn_dot(t->last, t->last) > 0 ? 0.5 : 0;
+    m = qn_madd(m, kept, qn_sub(t->last, n));
     qn_vec3 past = qn_contact_velocity(t->velocity, spins, m);
     double parting = qn_dot(past, m);
     double twist = 0.5 * p->dt * (qn_dot(t->spin_a, n) + qn_dot(t->spin_b, n));

@@ -7,7 +7,8 @@
 // restitution is then independent of the impact speed.
 //
 // Source: Antypov & Elliott (2011), EPL 94, 50004, doi:10.1209/0295-5075/94/50004 (no clip);
-//         Schwager & Poeschel (2008), Phys. Rev. E 78, 051304, doi:10.1103/PhysRevE.78.051304 (the
+//         Schwager & Poeschel (2007), Granular Matter 9, 465, doi:10.1007/s10035-007-0065-z and (2008),
+//         Phys. Rev. E 78, 051304, doi:10.1103/PhysRevE.78.051304 (linear and viscoelastic; the
 //         contact ends where the force would turn attractive).
 // Holds:  one undisturbed collision; under a lasting load restitution has no meaning.
 #ifndef QN_PHYSICS_RESTITUTION_H

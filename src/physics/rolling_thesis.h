@@ -3,9 +3,9 @@
 //
 //     M = -mu_r R min(F_el, c |w_t|) w_t / |w_t|,  R = 2 R* between spheres            [N m]
 //
-// The document compares newtons with rad/s: its c is 1 N s, the default. Capped like model A.
-// Source: the thesis, section 4.5, after Zhu & Yu (2003), Powder Technol. 129, 1
-//         (min(mu_r F_n, mu_r' w) there).
+// The document prints mu_R min(|F_n|, w), newtons against rad/s and no arm: c is its 1 N s, the default, and
+// the radius is put in to make a torque of it, so its mu_R is ours times 1 m/R. Capped like model A.
+// Source: the thesis, section 4.5.
 // Holds:  while rolling; below F_el / c it is viscous and nothing stands on a slope.
 #ifndef QN_PHYSICS_ROLLING_THESIS_H
 #define QN_PHYSICS_ROLLING_THESIS_H

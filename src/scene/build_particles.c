@@ -247,6 +247,12 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     g->spin = qn_vector_of(&k.spin);
     if (g->fixed && k.velocity.node && qn_norm(g->velocity) > 0)
         qn_complain(r, &k.velocity, "means nothing for particles that are fixed");
+    if (g->fixed && k.spin.node && qn_norm(g->spin) > 0)
+        qn_complain(r, &k.spin, "means nothing for particles that are fixed");
+    if (g->fixed && (g->list_velocity || g->list_spin)) {  // a recording's: they stand still now
+        free(g->list_velocity), free(g->list_spin);
+        g->list_velocity = g->list_spin = NULL;
+    }
     int fill = fill_of(&k);
     if (fill < 0) return QN_OK;
     check_fill(r, &k, fill, from.mark);

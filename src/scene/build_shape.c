@@ -9,7 +9,7 @@
 enum { SHAPE_SPHERE, SHAPE_TETRAHEDRON, SHAPE_FILE };
 
 /// Keys that only mean something for other shapes are mistakes.
-static void check_shape(qn_reader *r, const qn_group_keys *k, int shape, bool fixed, qn_mark mark)
+static void check_shape(qn_reader *r, const qn_group_keys *k, int shape, qn_mark mark)
 {
     if (k->spacing.node && shape != SHAPE_TETRAHEDRON)
         qn_complain(r, &k->spacing, "means nothing where shape is not tetrahedron");
@@ -20,8 +20,6 @@ static void check_shape(qn_reader *r, const qn_group_keys *k, int shape, bool fi
     if (shape == SHAPE_FILE && !k->shape_file.node)
         qn_complain_at(r, mark, "%s lacks the key 'shape_file': %s", k->shape_file.path,
                        k->shape_file.key->meaning);
-    if (shape != SHAPE_SPHERE && fixed && k->spin.node)
-        qn_complain(r, &k->spin, "means nothing for clumps that are fixed");
 }
 
 /// Adds the shape of these spheres to the definition.
@@ -68,7 +66,7 @@ qn_status qn_build_shape(qn_reader *r, const qn_group_keys *k, qn_mark mark, qn_
 {
     double centres[12], radii[4];
     if (!k->shape.set) return QN_OK;
-    check_shape(r, k, k->shape.choice, g->fixed, mark);
+    check_shape(r, k, k->shape.choice, mark);
     g->turned = qn_vector_of(&k->turned);
     g->turned_at_random = !k->turned.node && g->packing != QN_PACK_LIST;
     if (k->shape.choice == SHAPE_FILE) return read_file(r, k, g);

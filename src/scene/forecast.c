@@ -28,13 +28,26 @@ static double after(const qn_world *w, double start, qn_span span)
     const qn_drum_def *drum = &w->def.drum;
     if (span.unit != QN_REVOLUTIONS || !drum->present || !isfinite(start))
         return start + qn_forecast_seconds(w, span);
-    double sense = drum->legs[drum->leg_count - 1].to < 0 ? -1 : 1;
+    double sense = qn_drum_sense(drum);
     return qn_drum_time(drum, sense * qn_drum_angle(drum, start) + 2 * QN_PI * span.value);
+}
+
+// The damping ratio of a pair's dashpot, of Hunt and Crossley's that of a viscous one with the restitution
+// it has at the forecast impact.
+static double dashpot_ratio(const qn_forecast *f, const qn_contact_def *c,
+                            const qn_forecast_pair *p)
+{
+    if (c->law.damping == QN_DAMPING_NONE) return 0;
+    if (c->law.damping != QN_DAMPING_HUNT_CROSSLEY) return qn_sides_damping_ratio(&p->sides);
+    qn_sides hardest = p->sides;
+    double x = qn_hunt_crossley_number(c->restitution) / c->impact_speed;
+    hardest.restitution = qn_max(qn_hunt_crossley_restitution(x * f->timestep.impact_speed), 1e-6);
+    return qn_sides_damping_ratio(&hardest);
 }
 
 double qn_forecast_dashpot(const qn_forecast *f, const qn_contact_def *c, const qn_forecast_pair *p)
 {
-    double zeta = qn_sides_damping_ratio(&p->sides);
+    double zeta = dashpot_ratio(f, c, p);
     double time = qn_contact_time(c, &p->sides, f->timestep.impact_speed, NULL);
     return 2 * QN_PI * zeta * f->dt / time;
 }

@@ -20,7 +20,8 @@ static qn_reply look(const qn_world *w, int a, int b, qn_memory memory, qn_vec3 
                   mb->spin,
                   ma->spin_kick,
                   mb->spin_kick,
-                  memory};
+                  memory,
+                  {0, 0, 0}};
     qn_reply r;
     if (w->committed) pair.dt = 0;
     qn_contact_evaluate(w->laws[classes], &pair, &w->reaches[classes], &t, &r);
@@ -85,7 +86,8 @@ static void visit_walls(const qn_world *w, int which, qn_contact_visit *visit, v
                       qn_scale(frame->speed, frame->axis),
                       m->spin_kick,
                       {0, 0, 0},
-                      {{0, 0, 0}, {0, 0, 0}}};
+                      {{0, 0, 0}, {0, 0, 0}},
+                      {0, 0, 0}};
         qn_reply r;
         for (int k = 0; k < listed; k++)
             if (list[k].index == which && list[k].feature == hits[h].feature)

@@ -50,12 +50,25 @@ static double turning_speed(const qn_def *def, double *drop)
 }
 
 // Speed (m/s) of the fastest of the points that planes and meshes with a motion of their own are given by.
+// How far (m) from a point the scene's drum and listed particles reach: a plane has no end of its own.
+static double extent(const qn_def *def, qn_vec3 from)
+{
+    double far = def->drum.present ? def->drum.diameter / 2 + qn_norm(from) : 0;
+    for (int k = 0; k < def->group_count; k++)
+        for (int i = 0; i < def->groups[k].list_count; i++) {
+            const double *x = &def->groups[k].list_position[3 * i];
+            far = qn_max(far, qn_norm(qn_sub(qn_v3(x[0], x[1], x[2]), from)));
+        }
+    return far;
+}
+
 static double driven_speed(const qn_def *def)
 {
     double fastest = 0;
     for (int i = 0; i < def->plane_count; i++) {
         const qn_plane_def *p = &def->planes[i];
-        double far = qn_norm(qn_sub(p->point, p->drive.through));
+        double far =
+            qn_max(qn_norm(qn_sub(p->point, p->drive.through)), extent(def, p->drive.through));
         fastest = qn_max(fastest, qn_drive_fastest(&p->drive, far));
     }
     for (int i = 0; i < def->mesh_count; i++) {
@@ -119,22 +132,35 @@ static speeds speeds_of(const qn_def *def)
     return (speeds){end, turning, def->drum.present ? begin : end};
 }
 
-double qn_contact_time(const qn_contact_def *contact, const qn_sides *sides, double speed,
-                       double *depth)
+// The time with a mass (kg) other than the one the coefficients are made of.
+static double contact_time(const qn_contact_def *contact, const qn_sides *sides, double mass,
+                           double speed, double *depth)
 {
     qn_normal_model normal = contact->law.normal;
     qn_pair pair = qn_law_pair(contact->law, sides);
     double k = qn_normal_at(normal, &pair, 1).elastic;
-    return qn_impact_time(k, qn_normal_power(normal), qn_effective_mass(sides), speed, depth);
+    return qn_impact_time(k, qn_normal_power(normal), mass, speed, depth);
 }
 
-// Shortens `t` to the contact of two sides that meet at `speed` under their law.
-static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_sides *sides,
-                      double speed)
+double qn_contact_time(const qn_contact_def *contact, const qn_sides *sides, double speed,
+                       double *depth)
 {
+    return contact_time(contact, sides, qn_effective_mass(sides), speed, depth);
+}
+
+// Shortens `t` to the contact of two sides that meet at `speed` under their law; `light` is the least mass
+// (kg) that is felt of each: of a clump hit off its centre, less than its own.
+static void take_pair(qn_timestep *t, const qn_contact_def *contact, const qn_sides *sides,
+                      const double light[2], double speed)
+{
+    qn_sides lightest = *sides;
     double depth, zeta = qn_sides_damping_ratio(sides);
     if (isinf(qn_effective_mass(sides))) return;
-    double time = qn_contact_time(contact, sides, speed, &depth);
+    lightest.mass[0] = light[0], lightest.mass[1] = light[1];
+    double time = contact_time(contact, sides, qn_effective_mass(&lightest), speed, &depth);
+    double heavy;
+    qn_contact_time(contact, sides, speed, &heavy);
+    depth = qn_max(depth, heavy);
     if (contact->law.damping == QN_DAMPING_VISCOUS && zeta > 1e-6)
         time *= -log(sides->restitution) / zeta / QN_PI;
     double smaller = qn_min(fabs(sides->radius[0]), fabs(sides->radius[1]));
@@ -166,10 +192,8 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             if (!contact || !qn_classes_can_meet(def, c, &classes[b])) continue;
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);
             bool both = c->inverse_mass > 0 && classes[b].inverse_mass > 0;
-            take_pair(&t, contact, &sides, v.particle + (both ? v.partner : 0));
-            sides.mass[0] = c->least_mass;  // of a clump hit off its centre
-            sides.mass[1] = classes[b].least_mass;
-            take_pair(&t, contact, &sides, v.particle + (both ? v.partner : 0));
+            const double light[2] = {c->least_mass, classes[b].least_mass};
+            take_pair(&t, contact, &sides, light, v.particle + (both ? v.partner : 0));
         }
         for (int m = 0; m < def->material_count; m++) {
             const qn_contact_def *contact = qn_def_contact(def, c->material, m);
@@ -177,9 +201,8 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             qn_sides sides;
             if (!contact || !qn_def_is_wall(def, m)) continue;
             sides = qn_sides_of_wall(def, contact, c, &surface, 1);
-            take_pair(&t, contact, &sides, v.particle + v.wall);
-            sides.mass[0] = c->least_mass;
-            take_pair(&t, contact, &sides, v.particle + v.wall);
+            const double light[2] = {c->least_mass, INFINITY};
+            take_pair(&t, contact, &sides, light, v.particle + v.wall);
         }
     }
     if (!(t.impact_speed > 0)) t.impact_speed = v.particle;  // nothing meets anything

@@ -76,6 +76,9 @@ void qn_walls_free(qn_walls *walls);
 double qn_drum_angle(const qn_drum_def *drum, double t);
 double qn_drum_speed(const qn_drum_def *drum, double t);
 
+/// Sense of rotation (+1, -1): that of the last speed that is not zero.
+double qn_drum_sense(const qn_drum_def *drum);
+
 /// The time (s) at which the drum has turned by `angle` (rad, >= 0 in the sense of its final speed);
 /// INFINITY if it never does.
 double qn_drum_time(const qn_drum_def *drum, double angle);

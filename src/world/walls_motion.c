@@ -13,8 +13,7 @@ double qn_drum_speed(const qn_drum_def *drum, double t)
     return qn_legs_speed(drum->legs, drum->leg_count, t);
 }
 
-/// Sense of rotation (+1, -1): that of the last speed that is not zero.
-static double final_sense(const qn_drum_def *drum)
+double qn_drum_sense(const qn_drum_def *drum)
 {
     for (int i = drum->leg_count - 1; i >= 0; i--) {
         if (drum->legs[i].to != 0) return drum->legs[i].to < 0 ? -1 : 1;
@@ -41,7 +40,7 @@ static double time_within(const qn_leg *leg, double sense, double wanted)
 
 double qn_drum_time(const qn_drum_def *drum, double angle)
 {
-    double sense = final_sense(drum), start = 0, wanted = angle, last = 0;
+    double sense = qn_drum_sense(drum), start = 0, wanted = angle, last = 0;
     for (int i = 0; i < drum->leg_count; i++) {
         const qn_leg *leg = &drum->legs[i];
         if (wanted <= 0) return start;

@@ -177,7 +177,7 @@ static const struct {
     {"count: 2500", "count: 2500, turned: 0 0 1 rad", "s.yaml:18:65: error: particles.balls.turned = 0 0 1 rad means nothing for spheres"},
     {"count: 2500", "count: 2500, shape: file", "s.yaml:18:3: error: particles.balls lacks the key 'shape_file': CSV of a clump's spheres: x y z radius, in any unit as diameter gives the size"},
     {"count: 2500", "count: 2500, shape: file, shape_file: none.csv", "s.yaml:18:82: error: particles.balls.shape_file = none.csv cannot be used: "},
-    {"count: 2500", "count: 2500, shape: tetrahedron, fixed: yes, spin: 0 0 1 rad/s", "s.yaml:18:95: error: particles.balls.spin = 0 0 1 rad/s means nothing for clumps that are fixed"},
+    {"count: 2500", "count: 2500, shape: tetrahedron, fixed: yes, spin: 0 0 1 rad/s", "s.yaml:18:95: error: particles.balls.spin = 0 0 1 rad/s means nothing for particles that are fixed"},
     {"diameter: 3 mm, ", "", "s.yaml:18:3: error: particles.balls lacks the key 'diameter' (or 'sizes' or 'distribution'): of every sphere; this, sizes or distribution"},
     {"diameter: 3 mm", "diameter: 3 mm, distribution: {kind: normal}", "s.yaml:18:58: error: particles.balls.distribution cannot stand beside diameter"},
     {"diameter: 3 mm", "distribution: {kind: log-normal, min: 1 mm, max: 3 mm}", "s.yaml:18:49: error: particles.balls.distribution.kind = log-normal is unknown; did you mean 'lognormal'? Allowed: normal lognormal rosin-rammler gaudin-schuhmann"},

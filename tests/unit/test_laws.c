@@ -145,7 +145,8 @@ static qn_touch some_touch(void)
                   {-30, 2, 1},
                   {0.1, 0, 0},
                   {0, 0.2, 0},
-                  {{1e-7, 2e-7, -1e-7}, {1e-9, -2e-9, 3e-9}}};
+                  {{1e-7, 2e-7, -1e-7}, {1e-9, -2e-9, 3e-9}},
+                  {0, 0, 0}};
     return t;
 }
 
@@ -163,7 +164,8 @@ static void every_law_is_the_same_seen_from_the_other_side(void)
                       t.spin_a,
                       t.spin_kick_b,
                       t.spin_kick_a,
-                      {qn_scale(-1, t.memory.slip), qn_scale(-1, t.memory.roll)}};
+                      {qn_scale(-1, t.memory.slip), qn_scale(-1, t.memory.roll)},
+                      {0, 0, 0}};
         qn_reply r, q;
         qn_contact_evaluate(law, &p, &pair_reach, &t, &r);
         qn_contact_evaluate(law, &p, &pair_reach, &u, &q);
@@ -192,6 +194,7 @@ static void every_law_gives_the_same_bits_in_a_block_as_alone(void)
             PUT(b.spin_kick_b, l, t.spin_kick_b);
             PUT(b.slip, l, t.memory.slip);
             PUT(b.roll, l, t.memory.roll);
+            PUT(b.last, l, t.last);
         }
         qn_block_evaluate_base(law, &p, &pair_reach, &b);
         for (int l = 0; l < W; l++) {

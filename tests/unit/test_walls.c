@@ -275,6 +275,14 @@ static void walls_that_make_no_sense_are_refused(void)
     qn_walls_free(&w);
 }
 
+static void the_sense_of_a_drum_is_that_of_its_last_motion(void)
+{
+    qn_drum_def drum = {.leg_count = 2, .legs = {{0.2, -6, -6}, {0.1, -6, 0}}};
+    CHECK(qn_drum_sense(&drum) == -1);
+    drum.legs[0] = (qn_leg){0.2, 6, 6}, drum.legs[1] = (qn_leg){INFINITY, 0, 0};
+    CHECK(qn_drum_sense(&drum) == 1);
+}
+
 int main(int argc, char **argv)
 {
     TEST(the_angle_is_the_integral_of_the_speed);
@@ -286,5 +294,6 @@ int main(int argc, char **argv)
     TEST(a_world_without_a_drum_has_its_planes_and_meshes);
     TEST(walls_with_motions_of_their_own_are_found_where_they_are);
     TEST(walls_that_make_no_sense_are_refused);
+    TEST(the_sense_of_a_drum_is_that_of_its_last_motion);
     DONE;
 }

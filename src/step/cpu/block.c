@@ -35,6 +35,7 @@ QN_FN qn_approach lane_approach(const qn_pair *p, const qn_reach *g, block *b, i
     t.spin_kick_b = GET(b->spin_kick_b, l);
     t.memory.slip = GET(b->slip, l);
     t.memory.roll = GET(b->roll, l);
+    t.last = GET(b->last, l);
     qn_approach a = qn_approach_of(p, g, &t);
     PUT(b->normal, l, a.normal);
     b->depth[l] = a.depth, b->before[l] = a.before;

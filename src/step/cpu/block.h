@@ -39,7 +39,7 @@ typedef struct columns3 {
 // A block as the operations of a contact (contact.h) see it, lane by lane: what goes in, what each
 // hands to the next, what comes out.
 typedef struct block {
-    columns3 between, velocity, kick, spin_a, spin_b, spin_kick_a, spin_kick_b, slip, roll;
+    columns3 between, velocity, kick, spin_a, spin_b, spin_kick_a, spin_kick_b, slip, roll, last;
 
     columns3 normal, held, advance, slide, held_roll, turn, rolling;  // qn_approach
     column depth, before, root, fourth, rate, arm_a, arm_b;

@@ -101,6 +101,7 @@ static void gather_pairs(const qn_world *w, const qn_share *share, const queue *
     put_columns(&b->spin_kick_a, v[0] + 9);
     put_columns(&b->spin_kick_b, v[1] + 9);
     put_columns(&b->slip, kept);
+    memset(&b->last, 0, sizeof b->last);
     if (!share->roll) return;
     for (int l = 0; l < W; l++) slip[l] = &share->roll[q->slot[l < q->count ? l : 0]].x;
     qn_turn(slip, kept);
@@ -202,9 +203,10 @@ static void gather_wall(const qn_world *w, const qn_share *share, const qn_pose 
     PUT(b->spin_b, l, qn_scale(frame->speed - spin_kick, frame->axis));
     PUT(b->spin_kick_a, l, a->spin_kick);
     PUT(b->spin_kick_b, l, qn_scale(spin_kick, frame->axis));
-    const qn_memory *memory = &share->walls_next[q->slot[from]].memory;
-    PUT(b->slip, l, memory->slip);
-    PUT(b->roll, l, memory->roll);
+    const qn_wall_contact *contact = &share->walls_next[q->slot[from]];
+    PUT(b->slip, l, contact->memory.slip);
+    PUT(b->roll, l, contact->memory.roll);
+    PUT(b->last, l, contact->normal);
 }
 
 // Force and torque of a lane on its part of the walls, and what they wear.
@@ -287,6 +289,14 @@ static qn_memory wall_history(const qn_wall_contact *old, int old_count, const q
     return (qn_memory){{0, 0, 0}, {0, 0, 0}};
 }
 
+// The normal of a touch of the same feature at the last step, or 0.
+static qn_vec3 last_normal(const qn_wall_contact *old, int old_count, int32_t feature)
+{
+    for (int k = 0; k < old_count; k++)
+        if (old[k].feature == feature) return old[k].normal;
+    return qn_v3(0, 0, 0);
+}
+
 // Queues the touches of one particle. old: its wall contacts of the last step.
 static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, qn_mode mode, int i,
                              const qn_wall_contact *old, int old_count)
@@ -305,11 +315,9 @@ static qn_status touch_walls(qn_world *w, qn_share *share, const qn_pose *pose, 
         QN_TRY(QN_RESERVE(share->walls_next, share->wall_next_room, share->wall_next_count + 1));
         int slot = share->wall_next_count++;
         share->walls_next[slot] =
-            (qn_wall_contact){w->id[i],
-                              hits[h].feature,
-                              i,
+            (qn_wall_contact){w->id[i], hits[h].feature, i,
                               wall_history(old, old_count, hits, count, h, centre, &taken),
-                              {0, 0, 0}};
+                              last_normal(old, old_count, hits[h].feature)};
         int kind = hits[h].surface * w->class_count + p->klass;
         queue *q = &work->walls[kind];
         q->a[q->count] = i;
