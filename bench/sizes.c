@@ -47,7 +47,8 @@ static double fill_sizes(qn_group_def *g, double ratio)
 
 static void add_wall(qn_def *def, qn_vec3 point, qn_vec3 normal)
 {
-    def->planes[def->plane_count++] = (qn_plane_def){"wall", 0, point, normal};
+    def->planes[def->plane_count++] =
+        (qn_plane_def){.name = "wall", .point = point, .normal = normal};
 }
 
 // A column of spheres, half again as high as it is wide, loose at first.
@@ -60,8 +61,10 @@ static qn_status define(qn_def *def, int spheres, double ratio, double skin)
     QN_TRY(QN_ALLOCATE(def->groups, 1));
     QN_TRY(QN_ALLOCATE(def->planes, 6));
     def->materials[0] = (qn_material_def){"glass", 256e6, 0.23, 2500};
-    def->contacts[0] = (qn_contact_def){
-        .law = QN_LAW_HERTZ_MINDLIN, .friction = 0.3, .restitution = 0.3, .clip = true};
+    def->contacts[0] = (qn_contact_def){.law = qn_law_named(QN_LAW_HERTZ_MINDLIN),
+                                        .friction = 0.3,
+                                        .restitution = 0.3,
+                                        .clip = true};
     def->gravity = qn_v3(0, -GRAVITY, 0);
     def->skin = skin, def->step = 1.6e-6;
     qn_group_def *g = &def->groups[0];

@@ -5,6 +5,8 @@
 
 #include <stdlib.h>
 
+enum { SITES_MAX = 1000000 };  // of one feed
+
 #define QUARTER 0.25  // 1   of the smallest radius: what the fastest may move between two looks
 
 static qn_status add_site(qn_feed *feed, int64_t *room, qn_vec3 site)
@@ -14,11 +16,19 @@ static qn_status add_site(qn_feed *feed, int64_t *room, qn_vec3 site)
     return QN_OK;
 }
 
+static qn_status too_large(const qn_feed_def *def)
+{
+    return qn_fail(QN_INPUT,
+                   "feeds.%s: its region has more than %d places for spheres; make it smaller",
+                   def->name, SITES_MAX);
+}
+
 static qn_status fill_box(qn_feed *feed, const qn_feed_def *def, double radius)
 {
     int64_t room = 0;
     qn_lattice lattice = qn_lattice_lay(def->low, def->high, false, true, radius);
     int64_t sites = lattice.per_row > 0 ? qn_lattice_below(&lattice, def->high.y) : 0;
+    if (sites > SITES_MAX) return too_large(def);
     for (int64_t k = 0; k < sites; k++) {
         qn_vec3 site;
         if (qn_lattice_site(&lattice, k, &site)) QN_TRY(add_site(feed, &room, site));
@@ -36,6 +46,7 @@ static qn_status fill_disc(qn_feed *feed, const qn_feed_def *def, double radius)
     u = qn_scale(1 / qn_norm(u), u);
     qn_vec3 v = qn_cross(n, u);
     double most = def->radius - radius;
+    if (most > 0.4 * radius * sqrt(SITES_MAX)) return too_large(def);
     int reach = most >= 0 ? (int)(most / (2 * radius)) : -1;
     for (int i = -reach; i <= reach; i++)
         for (int j = -reach; j <= reach; j++) {

@@ -5,7 +5,7 @@
 // Sites along a length, ends included.
 static int64_t along(double length, double pitch)
 {
-    return length < 0 ? 0 : (int64_t)floor(length / pitch * (1 + 1e-12)) + 1;
+    return length < 0 ? 0 : (int64_t)floor(qn_min(length / pitch * (1 + 1e-12), 0x1p60)) + 1;
 }
 
 qn_lattice qn_lattice_lay(qn_vec3 low, qn_vec3 high, bool periodic, bool cubic, double radius)
@@ -14,7 +14,7 @@ qn_lattice qn_lattice_lay(qn_vec3 low, qn_vec3 high, bool periodic, bool cubic, 
     double length = high.z - low.z;
     l.row = cubic ? 2 * radius : radius * sqrt(3.0);
     l.layer = cubic ? 2 * radius : 2 * radius * sqrt(6.0) / 3;
-    l.per_row = (int64_t)floor(length / l.pitch * (1 + 1e-12));
+    l.per_row = (int64_t)floor(qn_min(length / l.pitch * (1 + 1e-12), 0x1p60));
     if (periodic && l.per_row > 0) l.pitch = length / (double)l.per_row;
     l.rows = along(high.x - low.x - 2 * radius, l.row);
     l.layers = along(high.y - low.y - 2 * radius, l.layer);
@@ -24,7 +24,9 @@ qn_lattice qn_lattice_lay(qn_vec3 low, qn_vec3 high, bool periodic, bool cubic, 
 int64_t qn_lattice_below(const qn_lattice *l, double top)
 {
     int64_t layers = along(top - l->low.y - 2 * l->radius, l->layer);
-    return (layers < l->layers ? layers : l->layers) * l->rows * l->per_row;
+    if (layers > l->layers) layers = l->layers;
+    double sites = (double)layers * (double)l->rows * (double)l->per_row;
+    return sites < 0x1p60 ? layers * l->rows * l->per_row : (int64_t)1 << 60;
 }
 
 bool qn_lattice_site(const qn_lattice *l, int64_t number, qn_vec3 *centre)

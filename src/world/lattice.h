@@ -21,7 +21,7 @@ typedef struct qn_lattice {
 /// Source: Conway & Sloane (1999), Sphere Packings, Lattices and Groups, 1.3.
 qn_lattice qn_lattice_lay(qn_vec3 low, qn_vec3 high, bool periodic, bool cubic, double radius);
 
-/// How many sites have a sphere that lies below y = top (m) entirely; they come first.
+/// How many sites have a sphere that lies below y = top (m) entirely; they come first. At most 2^60.
 int64_t qn_lattice_below(const qn_lattice *lattice, double top);
 
 /// Centre of a site, numbered from the bottom up; false if it does not lie within the box.

@@ -8,6 +8,8 @@
 #define BIN_RATIO 1.25  // 1   between the radii of two bins (1.25 to 2 tried: packs closest)
 #define SCARCE 64       // 1   sites for each sphere: from here on some are drawn, not all looked at
 
+#define MOST_SITES 100000000000  // 1   that are gone through from the bottom up
+
 enum { STREAM_DEAL = 1, STREAM_SITES = 16 };
 
 // Classes of a bin's spheres, dealt at random.
@@ -134,6 +136,11 @@ static qn_status fill_bin(qn_pack_plan *p, int number, double top, int64_t wante
     sites s = {qn_lattice_lay(p->low, p->high, p->periodic, p->cubic, b->radius),
                qn_walls_pose(p->walls, 0), 0};
     s.count = qn_lattice_below(&s.lattice, top);
+    if (p->bin_count == 1 && s.count > MOST_SITES)
+        return qn_fail(QN_INPUT,
+                       "particles: spheres of radius %g m are too small to be packed in a region "
+                       "of %g x %g x %g m",
+                       b->radius, p->high.x - p->low.x, p->high.y - p->low.y, p->high.z - p->low.z);
     if (p->bin_count > 1 && s.count < SCARCE * wanted)
         return take_share(p, number, &s, wanted, first, done);
     *done = p->bin_count > 1 ? take_at_random(p, number, &s, wanted, first)

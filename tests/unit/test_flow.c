@@ -300,13 +300,23 @@ static void a_disc_feeds_a_periodic_drum(void)
     qn_world_destroy(w);
 }
 
-static void a_region_without_room_is_said(void)
+static void a_region_with_no_or_far_too_much_room_is_said(void)
 {
     qn_world *w = NULL;
     qn_def def = def_of_hopper(10, false);
     def.feeds[0].high.y = 0.019;
     CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
     CHECK(strstr(qn_error(), "feeds.chute: its region has no room for a sphere of 0.003 m"));
+    def = def_of_hopper(10, false);
+    def.feeds[0].high = qn_v3(1e6, 1e6, 1e6);
+    CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
+    CHECK(strstr(qn_error(), "feeds.chute: its region has more than 1000000 places"));
+    def = def_of_hopper(10, false);
+    def.feeds[0].is_disc = true;
+    def.feeds[0].normal = qn_v3(0, 1, 0);
+    def.feeds[0].radius = 1e6;
+    CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
+    CHECK(strstr(qn_error(), "more than 1000000 places"));
 }
 
 int main(int argc, char **argv)
@@ -320,6 +330,6 @@ int main(int argc, char **argv)
     TEST(a_run_with_flow_is_the_same_for_any_threads_and_after_any_stop);
     TEST(those_who_stay_keep_their_contacts);
     TEST(a_disc_feeds_a_periodic_drum);
-    TEST(a_region_without_room_is_said);
+    TEST(a_region_with_no_or_far_too_much_room_is_said);
     DONE;
 }

@@ -168,6 +168,16 @@ static void more_sizes_than_fit_says_how_many_do(void)
     qn_world_destroy(world);
 }
 
+static void spheres_far_too_small_for_the_space_are_said(void)
+{
+    qn_world *world = NULL;
+    qn_def def = def_of_drum(0);
+    add_group(&def, "dust", 2e-9)->amount = 10;
+    def.step = 1e-14;
+    CHECK(qn_world_create(&def, 1, &world) == QN_INPUT && !world);
+    CHECK(strstr(qn_error(), "spheres of radius 1.02e-09 m are too small to be packed"));
+}
+
 static void balls_and_rock_of_two_groups_share_the_space(void)
 {
     qn_world *world;
@@ -198,6 +208,7 @@ int main(int argc, char **argv)
     TEST(a_mass_is_met_to_half_the_smallest_sphere);
     TEST(a_seed_gives_the_same_packing_and_another_seed_another);
     TEST(more_sizes_than_fit_says_how_many_do);
+    TEST(spheres_far_too_small_for_the_space_are_said);
     TEST(balls_and_rock_of_two_groups_share_the_space);
     DONE;
 }
