@@ -68,8 +68,10 @@ static qn_status make(int which, qn_world **world)
     def.materials = calloc(1, sizeof *def.materials);
     def.materials[0] = (qn_material_def){"glass", 64e6, 0.23, 2500};
     def.contacts = calloc(1, sizeof *def.contacts);
-    def.contacts[0] = (qn_contact_def){
-        .law = QN_LAW_HERTZ_MINDLIN, .friction = 0.3, .restitution = 0.5, .clip = true};
+    def.contacts[0] = (qn_contact_def){.law = qn_law_named(QN_LAW_HERTZ_MINDLIN),
+                                       .friction = 0.3,
+                                       .restitution = 0.5,
+                                       .clip = true};
     def.planes = calloc(6, sizeof *def.planes);
     def.meshes = calloc(1, sizeof *def.meshes);
     add_plane(&def, "x0", qn_v3(0, 0, 0), qn_v3(1, 0, 0));

@@ -136,8 +136,7 @@ static void choose_cells(qn_mesh *m)
     qn_vec3 size = qn_sub(m->high, m->low);
     double area = 0;
     for (int t = 0; t < m->triangle_count; t++) area += qn_mesh_area(m, t);
-    double fine =
-        0.7 * sqrt(2 * area / m->triangle_count);  // m   half a square of two triangles, about
+    double fine = 0.5 * sqrt(2 * area / m->triangle_count);  // m   half a square of two triangles
     m->origin = qn_sub(m->low, qn_v3(m->reach, m->reach, m->reach));
     for (m->cell = qn_max(FINEST * m->reach, qn_min(fine, m->reach));; m->cell *= 1.25) {
         double sides[3] = {size.x, size.y, size.z}, total = 1, listed = 0;
