@@ -4,7 +4,7 @@
 #include "check.h"
 #include "laws.h"
 
-#include "step/cpu/block.h"
+#include "step/cpu/lanes/block.h"
 
 static void every_law_has_a_normal_force_that_is_the_gradient_of_its_energy(void)
 {

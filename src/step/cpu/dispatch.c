@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Picks the contact kernel for this processor, and owns what the kernels work in.
-#include "step/cpu/block.h"
+#include "step/cpu/lanes/block.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -18,24 +18,29 @@
 #endif
 // clang-format on
 
-typedef qn_status kernel(qn_world *, qn_share *, const qn_pose *, qn_mode);
+typedef void pairs_kernel(qn_world *, qn_share *, qn_mode);
+typedef qn_status touches_kernel(qn_world *, qn_share *, const qn_pose *, qn_mode);
 
-#define I(name, supported) kernel qn_kernel_contacts_##name;
+#define I(name, supported)              \
+    pairs_kernel qn_lanes_pairs_##name; \
+    touches_kernel qn_lanes_touches_##name;
 QN_ISAS(I)
 #undef I
 
 static const char *chosen;
-static kernel *contacts;
+static pairs_kernel *pairs;
+static touches_kernel *touches;
 
 // The best kernel the processor has, or the one the environment asks for if the processor has it.
 static void choose(void)
 {
     const char *wanted = getenv("QUERN_ISA");
     bool found = false;
-#define I(name, supported)                                    \
-    if (!found && (supported)) {                              \
-        chosen = #name, contacts = qn_kernel_contacts_##name; \
-        found = wanted && !strcmp(wanted, #name);             \
+#define I(name, supported)                                                \
+    if (!found && (supported)) {                                          \
+        chosen = #name;                                                   \
+        pairs = qn_lanes_pairs_##name, touches = qn_lanes_touches_##name; \
+        found = wanted && !strcmp(wanted, #name);                         \
     }
     QN_ISAS(I)
 #undef I
@@ -50,20 +55,29 @@ const char *qn_kernel_isa(void)
 qn_status qn_kernel_prepare(const qn_world *w, qn_share *share)
 {
     if (share->workspace) return QN_OK;
-    int pairs = w->class_count * w->class_count, walls = w->surface_count * w->class_count;
+    int pair_queues = w->class_count * w->class_count,
+        wall_queues = w->surface_count * w->class_count;
     size_t sums = sizeof(qn_tally_sums) + (size_t)w->walls.part_count * sizeof(int64_t[4]);
-    size_t bytes = sizeof(workspace) + (size_t)(pairs + walls) * sizeof(queue);
+    size_t bytes = sizeof(workspace) + (size_t)(pair_queues + wall_queues) * sizeof(queue);
     if (!chosen) choose();
     QN_TRY(qn_allocate((void **)&share->sums, 1, sums));
     share->sums->part = (int64_t(*)[4])(share->sums + 1);
     QN_TRY(qn_allocate(&share->workspace, 1, bytes));
     workspace *work = share->workspace;
     work->pairs = (queue *)(work + 1);
-    work->walls = work->pairs + pairs;
+    work->walls = work->pairs + pair_queues;
     return QN_OK;
 }
 
 qn_status qn_kernel_contacts(qn_world *w, qn_share *share, const qn_pose *pose, qn_mode mode)
 {
-    return contacts(w, share, pose, mode);
+    pairs(w, share, mode);
+    QN_TRY(touches(w, share, pose, mode));
+    if (mode == QN_PROBE) return QN_OK;
+    qn_wall_contact *walls = share->walls;
+    int64_t room = share->wall_room;
+    share->walls = share->walls_next, share->wall_room = share->wall_next_room;
+    share->walls_next = walls, share->wall_next_room = room;
+    share->wall_count = share->wall_next_count;
+    return QN_OK;
 }

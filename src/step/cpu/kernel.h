@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inner loops of the CPU: contacts of one share, eight at a time.
 //
-// kernel.c is compiled once per instruction set; dispatch.c picks one when the program starts.
+// The folder lanes/ is compiled once per instruction set; dispatch.c picks one when the program starts.
 // Contraction is off everywhere, so all of them give the same bits.
 #ifndef QN_STEP_CPU_KERNEL_H
 #define QN_STEP_CPU_KERNEL_H

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the contact kernel works in: queues of contacts, and a block of eight laid out in columns.
-#ifndef QN_STEP_CPU_BLOCK_H
-#define QN_STEP_CPU_BLOCK_H
+//
+// This folder is compiled once per instruction set; public names end with QN_ISA, and dispatch.c picks one
+// when the program starts.
+#ifndef QN_STEP_CPU_LANES_BLOCK_H
+#define QN_STEP_CPU_LANES_BLOCK_H
 
 #include "step/cpu/kernel.h"
 
@@ -57,19 +60,24 @@ void JOIN(qn_block_evaluate, QN_ISA)(qn_law law, const qn_pair *pair, const qn_r
                                      block *b);
 
 // A pair found to touch, side a the one with the lower id.
-typedef struct touch {
+typedef struct found_pair {
     int32_t a, b;
     int64_t slot;  // pair of the share
-} touch;
+} found_pair;
 
-enum { TOUCHES = 1024 };  // found before they are worked on
+enum { FOUND = 1024 };  // found before they are worked on
 
 // What the kernel needs beside a share's lists: one block, the queues behind it.
 typedef struct workspace {
     block block;
-    touch touches[TOUCHES + 1];
+    found_pair found[FOUND + 1];
     queue *pairs;  // [class_a * class_count + class_b]
     queue *walls;  // [surface * class_count + class]
 } workspace;
+
+// The contacts of a share between particles, and with walls, added to its loads and sums (kernel.h).
+void JOIN(qn_lanes_pairs, QN_ISA)(qn_world *world, qn_share *share, qn_mode mode);
+qn_status JOIN(qn_lanes_touches, QN_ISA)(qn_world *world, qn_share *share, const qn_pose *pose,
+                                         qn_mode mode);
 
 #endif

@@ -5,7 +5,7 @@
 // One loop per model: whatever models the scene puts together, each runs as fast as any. (A lane is a
 // function of its own so that its structures stay in registers: inside an omp simd loop they would
 // become arrays.)
-#include "step/cpu/block.h"
+#include "step/cpu/lanes/block.h"
 
 static inline __attribute__((always_inline)) qn_approach approach_at(const block *b, int l)
 {

@@ -4,8 +4,8 @@
 // Loading four numbers of a record at once and turning them in registers costs a few shuffles;
 // writing them one by one into columns and reading those back as vectors would wait for every store.
 // Vector extensions of gcc and clang; as wide as the instruction set is.
-#ifndef QN_STEP_CPU_LANES_H
-#define QN_STEP_CPU_LANES_H
+#ifndef QN_STEP_CPU_LANES_TURN_H
+#define QN_STEP_CPU_LANES_TURN_H
 
 #define QN_LANES_FN static inline __attribute__((always_inline))
 
