@@ -47,7 +47,8 @@ def run_all(build, folder, names):
                    "-o", out]
         if os.path.exists(out):
             command.append("--resume")
-            if Run(out).summary.get("finished"):
+            run = load(folder, name)
+            if run and run.summary.get("finished"):
                 continue
         print(f"{name}: into {out}", flush=True)
         if subprocess.run(command, check=False).returncode:
