@@ -8,6 +8,9 @@
 
 #include <stdbool.h>
 
+/// The name the program was called by, for lines a person may copy.
+extern const char *cli_program;
+
 int cli_run(int argc, char **argv);
 int cli_check(int argc, char **argv);
 int cli_new(int argc, char **argv);

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+const char *cli_program = "quern";
+
 static const struct {
     const char *name;
     int (*command)(int argc, char **argv);
@@ -28,6 +30,7 @@ static void wait_politely(char **argv)
 int main(int argc, char **argv)
 {
     wait_politely(argv);
+    if (argc > 0 && *argv[0]) cli_program = argv[0];
     const char *name = argc > 1 ? argv[1] : "help";
     if (!strcmp(name, "--version") || !strcmp(name, "-V")) {
         printf("quern " QN_VERSION "\n");

@@ -189,6 +189,35 @@ static qn_status one_step(run *r)
     return QN_OK;
 }
 
+static qn_status unstable(run *r)
+{
+    char sentence[2048];
+    snprintf(sentence, sizeof sentence, "%s", qn_error());
+    if (qn_recorder_fail(&r->recorder, r->world, &r->measure) != QN_OK)
+        fprintf(stderr, "quern run: the failed state could not be kept: %s\n", qn_error());
+    return qn_fail(QN_UNSTABLE,
+                   "%s. The state is in %s/failed_%012lld.h5, and any "
+                   "earlier checkpoint is kept",
+                   sentence, r->recorder.folder.path, (long long)r->world->step);
+}
+
+// A disk that could not be written to: up to where the run is safe, and what to do.
+static qn_status unwritable(run *r)
+{
+    char sentence[2048], safe[96] = "Nothing is safe yet";
+    int64_t kept = r->recorder.checkpoint_step;
+    snprintf(sentence, sizeof sentence, "%s", qn_error());
+    qn_recorder_log(&r->recorder, "failed at step %lld: %s", (long long)r->world->step, sentence);
+    bool full = strstr(sentence, strerror(ENOSPC)) || strstr(sentence, strerror(EDQUOT));
+    if (kept >= 0)
+        snprintf(safe, sizeof safe, "The run is safe up to step %lld (%g s)", (long long)kept,
+                 (double)kept * r->world->dt);
+    progress_break(&r->progress);
+    return qn_fail(QN_IO, "%s. %s; %s, then: %s run %s -o %s --resume", sentence, safe,
+                   full ? "free some room" : "mend that", cli_program, r->scene,
+                   r->recorder.folder.path);
+}
+
 // Steps until the end, a signal or trouble; what was recorded is whole in each case.
 static qn_status go(run *r, int64_t end)
 {
@@ -198,24 +227,16 @@ static qn_status go(run *r, int64_t end)
         status = one_step(r);
         progress_show(&r->progress, r->world);
     }
-    if (status == QN_UNSTABLE) {
-        char sentence[2048];
-        snprintf(sentence, sizeof sentence, "%s", qn_error());
-        if (qn_recorder_fail(&r->recorder, r->world, &r->measure) != QN_OK)
-            fprintf(stderr, "quern run: the failed state could not be kept: %s\n", qn_error());
-        return qn_fail(QN_UNSTABLE,
-                       "%s. The state is in %s/failed_%012lld.h5, and any "
-                       "earlier checkpoint is kept",
-                       sentence, r->recorder.folder.path, (long long)r->world->step);
-    }
-    QN_TRY(status);
-    QN_TRY(qn_recorder_finish(&r->recorder, r->world, &r->measure, r->world->step >= end));
-    if (r->world->step >= end) return QN_OK;
+    if (status == QN_OK)
+        status = qn_recorder_finish(&r->recorder, r->world, &r->measure, r->world->step >= end);
+    if (status == QN_UNSTABLE) return unstable(r);
+    if (status == QN_IO) return unwritable(r);
+    if (status != QN_OK || r->world->step >= end) return status;
     progress_break(&r->progress);
     return qn_fail(QN_INTERRUPTED,
-                   "stopped at %g s (step %lld) with a checkpoint; go on with: quern run %s -o %s "
+                   "stopped at %g s (step %lld) with a checkpoint; go on with: %s run %s -o %s "
                    "--resume",
-                   qn_world_time(r->world), (long long)r->world->step, r->scene,
+                   qn_world_time(r->world), (long long)r->world->step, cli_program, r->scene,
                    r->recorder.folder.path);
 }
 
@@ -301,6 +322,9 @@ static qn_status record(run *r, const options *o)
     if (o->mode == QN_RESUME && r->recorder.resumed_step < 0)
         fprintf(stderr, "there is no checkpoint in %s yet: starting at step 0\n", folder);
     r->progress.quiet = o->quiet;
+    if (!o->quiet && r->recorder.resumed_step >= 0)
+        fprintf(stderr, "going on from step %lld, %g s\n", (long long)r->world->step,
+                qn_world_time(r->world));
     tell_changes(r);
     warn_at_start(r);
     if (!o->quiet)

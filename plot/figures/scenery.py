@@ -2,7 +2,8 @@
 """What stands around the particles, and how it is drawn: planes and boxes, fixed balls, the liner.
 
 Planes (a box is six of them) and fixed balls are read from resolved.yaml, which the program writes
-with one plane per line and one key of a group of particles per line.
+with one key of a plane or a group of particles per line; earlier versions wrote a plane in one line.
+Planes that move are not drawn.
 """
 import re
 from collections import namedtuple
@@ -21,12 +22,13 @@ Scene = namedtuple("Scene", "planes fixed radius")  # radius: of all balls (m), 
 
 PLANE = re.compile(r"  (.+?): \{shape: plane,.* point: (\S+) (\S+) (\S+) m, "
                    r"normal: (\S+) (\S+) (\S+)\}")
+WALL_KEY = re.compile(r"    (shape|point|normal|motion): *(.*)")
 AT, DIAMETER = re.compile(r" +at: (\S+) (\S+) (\S+) m"), re.compile(r" .*diameter: (\S+) m")
 
 
 def read_scene(path):
     """The Scene of a resolved.yaml; an empty one where there is none."""
-    planes, fixed, diameters, block, group = [], [], set(), "", {}
+    planes, fixed, diameters, block, group, wall = [], [], set(), "", {}, {}
     try:
         with open(path, encoding="utf-8") as file:
             lines = file.read().splitlines()
@@ -38,6 +40,15 @@ def read_scene(path):
         elif block == "walls" and (found := PLANE.match(line)):
             numbers = np.array(found.groups()[1:], float)
             planes.append(Plane(found[1], numbers[:3], numbers[3:] / np.linalg.norm(numbers[3:])))
+        elif block == "walls" and not line.startswith("   "):
+            wall = {"name": line.strip().removesuffix(":")}
+        elif block == "walls" and (found := WALL_KEY.match(line)):
+            wall[found[1]] = found[2]
+            if found[1] == "normal" and wall.get("shape") == "plane":
+                point, normal = (np.array(wall[key].split()[:3], float) for key in ("point", "normal"))
+                planes.append(Plane(wall["name"], point, normal / np.linalg.norm(normal)))
+            elif found[1] == "motion" and wall.get("shape") == "plane":
+                planes.pop()
         elif block == "particles":
             if not line.startswith("   "):
                 group = {}

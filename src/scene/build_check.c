@@ -17,10 +17,15 @@ static void need_law(qn_reader *r, qn_mark mark, int a, int b, const char *one, 
                    name_a, name_b, one, other);
 }
 
-/// A group that cannot touch itself: nothing in it moves, or it is a single sphere.
+static bool is_held(const qn_group_def *g)
+{
+    return g->fixed || g->turning;
+}
+
+/// A group that cannot touch itself: nothing in it moves freely, or it is a single sphere.
 static bool is_apart(const qn_group_def *g)
 {
-    return g->fixed || (g->packing == QN_PACK_LIST && g->list_count < 2);
+    return is_held(g) || (g->packing == QN_PACK_LIST && g->list_count < 2);
 }
 
 static void check_group(qn_reader *r, qn_mark mark, const qn_group_def *g,
@@ -32,9 +37,10 @@ static void check_group(qn_reader *r, qn_mark mark, const qn_group_def *g,
     if (!is_apart(g)) need_law(r, mark, g->material, g->material, self, "themselves", said);
     for (const qn_group_def *o = def->groups; o < g; o++) {
         snprintf(other, sizeof other, "particles '%s'", o->name);
-        if (!g->fixed || !o->fixed) need_law(r, mark, g->material, o->material, self, other, said);
+        if (!is_held(g) || !is_held(o))
+            need_law(r, mark, g->material, o->material, self, other, said);
     }
-    if (g->fixed) return;
+    if (is_held(g)) return;
     if (def->drum.present) {
         need_law(r, mark, g->material, def->drum.material, self, "the drum", said);
         if (def->drum.ends != QN_ENDS_PERIODIC)

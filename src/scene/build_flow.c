@@ -76,8 +76,9 @@ static void read_feed(qn_reader *r, const qn_node *node)
     if (!k.particles.set) return;
     f->group = find_group(r, &k.particles);
     if (f->group < 0) return;
-    if (r->def->groups[f->group].size_count == 0 || r->def->groups[f->group].fixed)
-        qn_complain(r, &k.particles, "cannot be fed: its particles are fixed or have no size");
+    const qn_group_def *fed = &r->def->groups[f->group];
+    if (fed->size_count == 0 || fed->fixed || fed->turning)
+        qn_complain(r, &k.particles, "cannot be fed: its particles are held or have no size");
     f->by_mass = k.rate.dimension == QN_DIMENSION_MASS_FLOW;
     f->rate = k.rate.number;
     f->is_disc = !is_box;

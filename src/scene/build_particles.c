@@ -4,12 +4,13 @@
 #include "base/sizes.h"
 #include "scene/build.h"
 #include "scene/load.h"
+#include "world/lining.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT, FILL_FEED };
+enum { FILL_HCP, FILL_GRID, FILL_FILE, FILL_AT, FILL_FEED, FILL_LINING };
 
 /// Fractions by mass become fractions by number, fraction / diameter^3; then they add up to 1.
 static void finish_fractions(qn_group_def *g, bool by_mass)
@@ -130,7 +131,7 @@ static int fill_of(const qn_group_keys *k)
 /// Keys that only mean something for other ways to fill are mistakes.
 static void check_fill(qn_reader *r, const qn_group_keys *k, int fill, qn_mark mark)
 {
-    static const char *const names[] = {"hcp", "grid", "file", "at", "feed"};
+    static const char *const names[] = {"hcp", "grid", "file", "at", "feed", "lining"};
     const struct {
         const qn_value *value;
         unsigned fills;  // bits
@@ -231,6 +232,69 @@ static qn_status read_list(qn_reader *r, const qn_group_keys *k, qn_group_def *g
     return status;
 }
 
+/// Spheres along the shell become a list.
+static qn_status read_lining(qn_reader *r, const qn_group_keys *k, qn_group_def *g)
+{
+    const qn_drum_def *d = &r->def->drum;
+    if (!d->present)
+        qn_complain(r, &k->fill, "goes along the shell of a drum, but there is no drum");
+    else if (d->lifter_count > 0 || d->profile_count > 0)
+        qn_complain(r, &k->fill, "goes along a smooth shell: leave out drum.%s",
+                    d->lifter_count > 0 ? "lifters" : "profile");
+    else if (k->shape.choice != 0)
+        qn_complain(r, &k->fill, "is for spheres, not for clumps");
+    if (r->messages->errors > 0 || g->size_count != 1) return QN_OK;
+    double diameter = g->diameter[0];
+    qn_lining lining = qn_lining_of(d, diameter);
+    int least = d->ends == QN_ENDS_PERIODIC ? 2 : 1;
+    if (lining.around < 3 || lining.rings < least || lining.rings > INT32_MAX / 4 / lining.around) {
+        qn_complain(r, &k->diameter,
+                    "makes a lining of %lld spheres around and %lld rings; at "
+                    "least 3 and %d are needed, at most %d spheres",
+                    (long long)lining.around, (long long)lining.rings, least, INT32_MAX / 4);
+        return QN_OK;
+    }
+    g->lining = true;
+    QN_TRY(QN_ALLOCATE(g->list_position, 3 * lining.around * lining.rings));
+    for (int64_t ring = 0; ring < lining.rings; ring++)
+        for (int64_t i = 0; i < lining.around; i++) {
+            qn_vec3 x = qn_lining_centre(&lining, d, diameter, ring, i);
+            double *out = &g->list_position[3 * g->list_count++];
+            out[0] = x.x, out[1] = x.y, out[2] = x.z;
+        }
+    return QN_OK;
+}
+
+/// Fixed, turning with the drum, or free.
+static void read_motion(qn_reader *r, const qn_group_keys *k, qn_group_def *g)
+{
+    g->fixed = k->fixed.choice == 1;
+    g->turning = k->turning.choice == 1;
+    g->velocity = qn_vector_of(&k->velocity);
+    g->spin = qn_vector_of(&k->spin);
+    if (g->fixed && g->turning)
+        qn_complain(r, &k->turning, "cannot stand beside fixed: yes");
+    else if (g->turning && !r->def->drum.present)
+        qn_complain(r, &k->turning, "needs a drum to turn with");
+    else if (g->turning && k->shape.choice != 0)
+        qn_complain(r, &k->turning, "is for spheres, not for clumps");
+    const char *why = g->fixed ? "are fixed" : "turn with the drum";
+    if ((g->fixed || g->turning) && k->velocity.node && qn_norm(g->velocity) > 0)
+        qn_complain(r, &k->velocity, "means nothing for particles that %s", why);
+    if ((g->fixed || g->turning) && k->spin.node && qn_norm(g->spin) > 0)
+        qn_complain(r, &k->spin, "means nothing for particles that %s", why);
+}
+
+/// A list from a file; what is held has no velocity of its own, whatever a recording says.
+static qn_status read_file(qn_reader *r, const qn_group_keys *k, qn_group_def *g, qn_mark mark)
+{
+    QN_TRY(read_list(r, k, g, mark));
+    if (!g->fixed && !g->turning) return QN_OK;
+    free(g->list_velocity), free(g->list_spin);
+    g->list_velocity = g->list_spin = NULL;
+    return QN_OK;
+}
+
 static qn_status read_group(qn_reader *r, const qn_node *node)
 {
     qn_group_def *g = &r->def->groups[r->def->group_count];
@@ -240,19 +304,9 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     qn_group_keys k;
     qn_section_read(r, QN_SECTION_GROUP, from, &k);
     g->material = qn_material_of(&k.material);
-    g->fixed = k.fixed.choice == 1;
     g->padding = k.padding.number;
     g->jitter = k.jitter.number;
-    g->velocity = qn_vector_of(&k.velocity);
-    g->spin = qn_vector_of(&k.spin);
-    if (g->fixed && k.velocity.node && qn_norm(g->velocity) > 0)
-        qn_complain(r, &k.velocity, "means nothing for particles that are fixed");
-    if (g->fixed && k.spin.node && qn_norm(g->spin) > 0)
-        qn_complain(r, &k.spin, "means nothing for particles that are fixed");
-    if (g->fixed && (g->list_velocity || g->list_spin)) {  // a recording's: they stand still now
-        free(g->list_velocity), free(g->list_spin);
-        g->list_velocity = g->list_spin = NULL;
-    }
+    read_motion(r, &k, g);
     int fill = fill_of(&k);
     if (fill < 0) return QN_OK;
     check_fill(r, &k, fill, from.mark);
@@ -268,7 +322,9 @@ static qn_status read_group(qn_reader *r, const qn_node *node)
     }
     if (fill == FILL_FEED) return QN_OK;
     if (fill == FILL_FILE)
-        QN_TRY(read_list(r, &k, g, from.mark));
+        QN_TRY(read_file(r, &k, g, from.mark));
+    else if (fill == FILL_LINING)
+        QN_TRY(read_lining(r, &k, g));
     else {
         QN_TRY(QN_ALLOCATE(g->list_position, 3));
         memcpy(g->list_position, k.at.vector, sizeof k.at.vector);

@@ -63,7 +63,7 @@ qn_forecast qn_forecast_of(const qn_world *w, const qn_timestep *timestep)
     for (int i = 0; i < w->count; i++) {
         const qn_class *c = &w->classes[w->place[i].klass];
         f.mass += c->volume * w->def.materials[c->material].density;
-        solid += c->volume;
+        if (c->inverse_mass > 0) solid += c->volume;
     }
     f.end = qn_forecast_seconds(w, w->def.end);
     f.steps = isfinite(f.end) ? (int64_t)floor(f.end / w->dt + 0.5) : 0;

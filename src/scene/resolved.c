@@ -232,8 +232,11 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
 {
     fprintf(out, "  %s:\n    material: %s\n    fixed: %s\n", g->name,
             def->materials[g->material].name, yes(g->fixed));
+    if (g->turning) fprintf(out, "    turning: yes\n");
     bool is_one = g->list_count == 1 && !g->list_velocity && !g->list_spin;
-    if (g->packing == QN_PACK_LIST && is_one) {
+    if (g->lining)
+        fprintf(out, "    fill: lining\n");
+    else if (g->packing == QN_PACK_LIST && is_one) {
         const double *x = g->list_position;
         write_vector(out, "    fill: at\n    at", qn_v3(x[0], x[1], x[2]), "m");
         fprintf(out, "\n");
@@ -251,7 +254,7 @@ static void write_group(FILE *out, const qn_def *def, const qn_group_def *g)
             fprintf(out, "mass: %.17g kg\n", g->amount);
         fprintf(out, "    padding: %.17g\n    jitter: %.17g\n", g->padding, g->jitter);
     }
-    if (g->packing != QN_PACK_LIST || is_one) write_sizes(out, g);
+    if (g->packing != QN_PACK_LIST || is_one || g->lining) write_sizes(out, g);
     if (g->shape) write_shape(out, def, g);
     write_vector(out, "    velocity", g->velocity, "m/s");
     write_vector(out, "\n    spin", g->spin, "rad/s");

@@ -73,8 +73,10 @@ qn_status qn_classes_build(const qn_def *def, qn_class **classes, int *count)
             c->volume = 4.0 / 3.0 * QN_PI * r * r * r;
             c->least_mass = c->mass;
             if (group->shape) shape_class(c, &def->shapes[group->shape - 1], r, grain++);
-            c->inverse_mass = group->fixed ? 0 : 1 / c->mass;
-            c->inverse_inertia = group->fixed ? 0 : 1 / c->inertia;
+            c->turning = group->turning;
+            bool held = group->fixed || group->turning;
+            c->inverse_mass = held ? 0 : 1 / c->mass;
+            c->inverse_inertia = held ? 0 : 1 / c->inertia;
         }
     other_radii(def, *classes, c);
     return QN_OK;
@@ -170,7 +172,7 @@ static qn_status pairs_of_walls(qn_world *w)
             const qn_class *ca = &w->classes[a];
             const qn_contact_def *contact =
                 qn_def_contact(&w->def, ca->material, surface->material);
-            if (ca->inverse_mass <= 0) continue;  // fixed: never tried against walls
+            if (ca->inverse_mass <= 0) continue;  // held: never tried against walls
             if (!contact) return no_law(&w->def, ca->material, surface->material);
             qn_sides sides = qn_sides_of_wall(&w->def, contact, ca, surface, w->dt);
             w->wall_laws[k * n + a] = contact->law;

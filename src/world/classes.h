@@ -22,7 +22,7 @@ qn_sides qn_sides_of_classes(const qn_def *def, const qn_contact_def *contact, c
 qn_sides qn_sides_of_wall(const qn_def *def, const qn_contact_def *contact, const qn_class *a,
                           const qn_surface *surface, double dt);
 
-/// Whether particles of two classes can meet: not where both are fixed, nor where there is but one.
+/// Whether particles of two classes can meet: not where neither can move, nor where there is but one.
 bool qn_classes_can_meet(const qn_def *def, const qn_class *a, const qn_class *b);
 
 /// Whether some wall is made of a material.

@@ -134,6 +134,8 @@ typedef struct qn_group_def {
     int material;
     int shape;                      //        1 + the index of a clump's shape; 0 for balls
     bool fixed;                     //        never moves, whatever touches it
+    bool turning;                   //        moves with the drum, whatever touches it
+    bool lining;                    //        its list is a lining (lining.h)
     int size_count;                 // 1      at least 1
     double diameter[QN_SIZES_MAX];  // m      of a clump: of the sphere of equal volume
     double fraction[QN_SIZES_MAX];  // 1      by number, adding up to 1

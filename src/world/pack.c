@@ -69,7 +69,7 @@ static qn_status place_lists(const qn_def *def, const qn_class *classes, const q
                     qn_v3(g->list_spin[3 * i], g->list_spin[3 * i + 1], g->list_spin[3 * i + 2]);
             double clear = qn_walls_clearance(walls, &pose, s.position);
             double radius = classes[s.klass].radius;
-            if (!g->fixed && !g->shape && clear < radius * (1 - QN_OVERLAP_WARN))
+            if (!g->fixed && !g->turning && !g->shape && clear < radius * (1 - QN_OVERLAP_WARN))
                 return qn_fail(QN_INPUT,
                                "particles.%s: particle %d at (%g, %g, %g) m with radius %g m "
                                "stands %g m deep in a wall",

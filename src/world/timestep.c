@@ -193,7 +193,8 @@ qn_timestep qn_timestep_of(const qn_def *def, const qn_class *classes, int class
             sides = qn_sides_of_classes(def, contact, c, &classes[b], 1);
             bool both = c->inverse_mass > 0 && classes[b].inverse_mass > 0;
             const double light[2] = {c->least_mass, classes[b].least_mass};
-            take_pair(&t, contact, &sides, light, v.particle + (both ? v.partner : 0));
+            double other = both ? v.partner : c->turning || classes[b].turning ? v.wall : 0;
+            take_pair(&t, contact, &sides, light, v.particle + other);
         }
         for (int m = 0; m < def->material_count; m++) {
             const qn_contact_def *contact = qn_def_contact(def, c->material, m);

@@ -160,13 +160,32 @@ static qn_status build_meshes(const qn_def *def, double reach, qn_walls *w)
     return QN_OK;
 }
 
+static qn_status build_groups(const qn_def *def, qn_walls *w)
+{
+    w->group_part = w->part_count;
+    for (int k = 0; k < def->group_count; k++) {
+        const qn_group_def *g = &def->groups[k];
+        if (!g->turning) continue;
+        if (!def->drum.present)
+            return qn_fail(QN_INPUT, "particles.%s.turning needs a drum to turn with", g->name);
+        for (int p = 0; p < w->part_count; p++)
+            if (!strcmp(w->parts[p].name, g->name))
+                return qn_fail(QN_INPUT,
+                               "particles.%s: a part of the walls has this name already, and one "
+                               "that turns needs its own",
+                               g->name);
+        add_part(w, w->drum_body, "%s", g->name);
+    }
+    return QN_OK;
+}
+
 static qn_status build(const qn_def *def, double reach, qn_walls *w)
 {
     if (def->drum.lifter_count < 0 || def->drum.lifter_count > LIFTERS_MAX)
         return qn_fail(QN_INPUT, "drum '%s' has %d lifters; 0 to %d are allowed", def->drum.name,
                        def->drum.lifter_count, LIFTERS_MAX);
     int64_t own = 5 + (def->drum.present ? (int64_t)def->drum.lifter_count : 0);
-    int64_t most = own + def->plane_count + def->mesh_count;
+    int64_t most = own + def->plane_count + def->mesh_count + def->group_count;
     QN_TRY(QN_ALLOCATE(w->surfaces, most));
     QN_TRY(QN_ALLOCATE(w->parts, most));
     QN_TRY(QN_ALLOCATE(w->planes, def->plane_count));
@@ -179,7 +198,8 @@ static qn_status build(const qn_def *def, double reach, qn_walls *w)
     w->end_facet = w->profile.count;
     w->plane_facet = w->end_facet + 2;
     QN_TRY(build_planes(def, w));
-    return build_meshes(def, reach, w);
+    QN_TRY(build_meshes(def, reach, w));
+    return build_groups(def, w);
 }
 
 /// Releases the planes and meshes of a definition, now that the walls have them.

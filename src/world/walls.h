@@ -11,7 +11,7 @@
 //
 // Features are numbered in one range: the profile's elements and corners, both ends, planes, meshes.
 // Parts: shell and lifter_01, lifter_02, ... (or profile), end_low and end_high, planes and meshes
-// by their names. Drum, ends and planes act on the side where particles belong, meshes on both.
+// by their names, then groups of spheres that turn with the drum. Drum, ends and planes act on the side where particles belong, meshes on both.
 #ifndef QN_WORLD_WALLS_H
 #define QN_WORLD_WALLS_H
 
@@ -59,7 +59,8 @@ typedef struct qn_walls {
     qn_part *parts;                   //     owned
     int shell_surface, flat_surface;  //  of the profile's circular and straight elements
     int end_surface, end_part[2];
-    int plane_surface, plane_part;       //     of plane 0; the others follow, then the meshes
+    int plane_surface, plane_part;  //     of plane 0; the others follow, then the meshes
+    int group_part;                 //     of the first group of spheres that turns with the drum
     int32_t end_feature, plane_feature;  //  first feature number of each kind
     int32_t end_facet, plane_facet;      //  likewise; the profile's are its elements
     int body_count, drum_body;           //  -1 without a drum; body 0 never moves

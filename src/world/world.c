@@ -6,6 +6,7 @@
 #include "world/neighbours.h"
 #include "world/pack.h"
 #include "world/timestep.h"
+#include "world/turning.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -136,6 +137,7 @@ static qn_status build(qn_world *w)
     QN_TRY(status);
     QN_TRY(qn_flow_create(w));
     qn_units_choose(w, qn_flow_most(w), reach);
+    QN_TRY(qn_turning_create(w));
     return qn_neighbours_create(w);
 }
 
@@ -196,6 +198,7 @@ void qn_world_destroy(qn_world *w)
     free(w->members);
     free(w->shift);
     free(w->body_of);
+    free(w->rest);
     free(w->ledger.work);
     free(w->ledger.impulse);
     free(w->ledger.push);

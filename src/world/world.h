@@ -27,7 +27,9 @@ typedef struct qn_class {
     int material;
     int grain;                             //   index of the clump it is part of; -1 for a ball
     double radius, mass, inertia;          // m, kg, kg m2   a clump's mass, mean principal moment
-    double inverse_mass, inverse_inertia;  // 0 where fixed
+    double inverse_mass, inverse_inertia;  // 0 where fixed or turning
+    bool turning;                          //        with the drum (turning.h)
+    int part;                              //        of the walls, where turning
     double bound;   // m    radius of the sphere around the whole body; the radius of a ball
     double volume;  // m3   of the body; that of a clump is shared out among its spheres
     double
@@ -101,6 +103,7 @@ typedef struct qn_world {
     qn_motion *motion;  //       owned
     qn_load *load;      //       owned
     int64_t *id;        //       owned; from 1, never reused
+    qn_vec3 *rest;      // m     owned; by id - 1: where it was at step 0; NULL if none turns
     int body_count;     //       clumps, in the order of their ids
     int member_count;   //       their spheres
     qn_body *bodies;    //       owned

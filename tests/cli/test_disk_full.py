@@ -8,7 +8,7 @@ import pathlib
 import shutil
 import subprocess
 
-from common import (IO, MILL, Skip, changed, check_same_recordings, check_tidy, checkpoints,
+from common import (IO, MILL, PROGRAM, Skip, changed, check_same_recordings, check_tidy, checkpoints,
                     main, quern, run, test, write)
 
 OFTEN = changed(MILL, ("checkpoint: 60 s", "checkpoint: 50 ms"),
@@ -38,7 +38,11 @@ def fills_up(size, least_checkpoints):
         run(scene, "whole").expect(0)
         done = run(scene, folder).expect(IO, "No space left on device", str(folder))
         assert len(done.err.strip().splitlines()) == 1, done.err
+        done.expect(IO, f"; free some room, then: {PROGRAM} run {scene} -o {folder} --resume")
+        failed = [line for line in (folder / "log.txt").read_text().splitlines() if "failed at step" in line]
+        assert len(failed) == 1 and "No space left on device" in failed[0], failed
         kept = checkpoints(folder)
+        done.expect(IO, f"safe up to step {int(kept[-1].stem[-12:])} (" if kept else "Nothing is safe yet")
         assert len(kept) >= least_checkpoints, kept
         for path in kept:
             quern("info", path).expect(0)

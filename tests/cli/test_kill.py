@@ -7,7 +7,7 @@ import shutil
 import signal
 import time
 
-from common import (INPUT, INTERRUPTED, MILL, changed, check_same_recordings, check_tidy,
+from common import (INPUT, INTERRUPTED, MILL, PROGRAM, changed, check_same_recordings, check_tidy,
                     checkpoints, main, run, start, state_hash, summary, test, wait, wait_until,
                     write)
 
@@ -103,7 +103,8 @@ def interrupt_by(which):
         child = start(scene, folder, *more)
         wait_until(lambda: (folder / "frames" / f"frame_{frame:06d}.hdf").exists())
         child.send_signal(which)
-        stopped = wait(child).expect(INTERRUPTED, "--resume", "checkpoint")
+        stopped = wait(child).expect(
+            INTERRUPTED, f"go on with: {PROGRAM} run {scene} -o {folder} --resume", "checkpoint")
         newest = checkpoints(folder)[-1]
         step = int(newest.stem.split("_")[1])
         assert 0 < step < summary("whole")["steps"], step

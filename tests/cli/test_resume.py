@@ -58,7 +58,7 @@ def later_end():
     scene = write("mill.yaml", SHORT)
     run(scene, "out", "--steps", 50).expect(0)
     quern("run", scene, "-o", "out", "--threads", "1", "--resume").expect(
-        0, "going on with time.end = 150 steps, was 50 steps")
+        0, "going on with time.end = 150 steps, was 50 steps", "going on from step 50, ")
     run(scene, "out", "--steps", 200, "--resume").expect(0)
     run(scene, "out", "--resume").expect(INPUT, "at step 200 already, past the end asked for (150)")
 

@@ -186,6 +186,10 @@ static const struct {
     {"diameter: 3 mm", "distribution: {kind: rosin-rammler, d63: 2 mm, n: 1, min: 3 mm, max: 2 mm}", "s.yaml:18:97: error: particles.balls.distribution.max = 2 mm must be above min, 0.003 m"},
     {"diameter: 3 mm", "distribution: {kind: gaudin-schuhmann, top: 2 mm, m: 1, min: 3 mm, max: 4 mm}", "s.yaml:18:28: error: particles.balls.distribution: the size distribution has nothing between 0.003 and 0.004 m"},
     {"  balls:", "  red balls:", "s.yaml:18:3: error: 'red balls' cannot be the name of a group of particles: use up to 47 letters, digits, '_', '-', '.'"},
+    {"count: 2500", "fill: lining, turning: yes", "s.yaml:18:50: error: particles.balls.fill = lining goes along a smooth shell: leave out drum.lifters"},
+    {"count: 2500", "count: 2500, shape: tetrahedron, turning: yes", "s.yaml:18:86: error: particles.balls.turning = yes is for spheres, not for clumps"},
+    {"count: 2500", "count: 2500, fixed: yes, turning: yes", "s.yaml:18:78: error: particles.balls.turning = yes cannot stand beside fixed: yes"},
+    {"count: 2500", "count: 2500, turning: yes, velocity: 0 1 0 m/s", "s.yaml:18:81: error: particles.balls.velocity = 0 1 0 m/s means nothing for particles that turn with the drum"},
     {"measure: {", "output: {frames: 10 steps, checkpoint: 5 steps}\nmeasure: {", "s.yaml:19:40: error: output.checkpoint = 5 steps should be a time (s, ms, us, ns, min, h), but steps is the unit of time steps"},
 };
 // clang-format on
@@ -404,6 +408,30 @@ static void a_resolved_scene_reads_as_the_same_scene(void)
     CHECK(same);
 }
 
+static void a_lining_is_a_list_of_spheres_along_the_shell(void)
+{
+    static const char *const lifters =
+        "  lifters: {count: 16, height: 6 mm, top: 6 mm, face_angle: 45 deg}\nparticles:\n";
+    outcome o = read_changed(lifters, "particles:\n  lining: {material: glass, diameter: 3 mm, "
+                                      "fill: lining, turning: yes}\n");
+    char *text = NULL;
+    CHECK_STATUS(o.status);
+    const qn_group_def *g = &o.def.groups[0];
+    CHECK(g->turning && !g->fixed && g->lining && g->packing == QN_PACK_LIST);
+    CHECK(g->list_count == 311 * 4);
+    CHECK_NEAR(hypot(g->list_position[3000], g->list_position[3001]), 0.1485, 1e-15);
+    CHECK_STATUS(qn_scene_resolved(&o.def, &text));
+    CHECK(strstr(text, "    turning: yes\n    fill: lining\n    diameter: 0.003"));
+    free(text);
+    release(&o);
+    o = read_changed(lifters, "particles:\n  lining: {material: glass, diameter: 160 mm, "
+                              "fill: lining, turning: yes}\n");
+    CHECK(o.status == QN_INPUT);
+    CHECK(strstr(o.messages.text,
+                 "makes a lining of 0 spheres around and 0 rings; at least 3 and 2"));
+    release(&o);
+}
+
 static void every_shipped_scene_is_a_good_scene(void)
 {
     glob_t found;
@@ -539,6 +567,7 @@ int main(int argc, char **argv)
     TEST(a_schedule_gives_every_leg);
     TEST(a_box_is_six_planes_that_face_inwards);
     TEST(a_resolved_scene_reads_as_the_same_scene);
+    TEST(a_lining_is_a_list_of_spheres_along_the_shell);
     TEST(every_shipped_scene_is_a_good_scene);
     TEST(every_template_is_a_good_scene);
     TEST(the_reference_names_every_key);

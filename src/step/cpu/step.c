@@ -5,6 +5,7 @@
 #include "step/cpu/kernel.h"
 #include "step/flow.h"
 #include "step/guards.h"
+#include "world/turning.h"
 
 #include <string.h>
 
@@ -49,6 +50,22 @@ static void fold(qn_world *w, qn_share *share)
     }
 }
 
+// What this share's spheres that turn with the drum do to the others, as force and torque of the walls'
+// parts.
+static void lean(const qn_world *w, qn_share *share)
+{
+    for (int i = share->first; w->rest && i < share->last; i++) {
+        const qn_class *c = &w->classes[w->place[i].klass];
+        if (!c->turning) continue;
+        int64_t *sum = share->sums->part[c->part];
+        qn_vec3 force = qn_turning_force(w, i);
+        sum[0] += (int64_t)(force.x / w->part_force_unit);
+        sum[1] += (int64_t)(force.y / w->part_force_unit);
+        sum[2] += (int64_t)(force.z / w->part_force_unit);
+        sum[3] += (int64_t)(qn_turning_torque(w, i) / w->part_torque_unit);
+    }
+}
+
 // Contacts of all shares into the loads.
 static qn_status contacts(qn_world *w, const qn_pose *pose, qn_mode mode)
 {
@@ -67,7 +84,10 @@ static qn_status contacts(qn_world *w, const qn_pose *pose, qn_mode mode)
             }
         }
 #pragma omp for schedule(static, 1)
-        for (int t = 0; t < nb->share_count; t++) fold(w, &nb->shares[t]);
+        for (int t = 0; t < nb->share_count; t++) {
+            fold(w, &nb->shares[t]);
+            lean(w, &nb->shares[t]);
+        }
     }
     return worst == QN_OK ? QN_OK : qn_fail(worst, "the list of wall contacts could not grow");
 }
@@ -137,7 +157,7 @@ qn_status qn_step_begin(qn_world *w)
     QN_TRY(qn_step_forces(w, QN_PROBE));
     for (int i = 0; i < w->count; i++) {
         qn_motion *m = &w->motion[i];
-        if (qn_body_of(w, i) >= 0) continue;
+        if (qn_body_of(w, i) >= 0 || w->classes[w->place[i].klass].turning) continue;
         qn_scheme scheme = w->def.scheme;
         qn_kept v = qn_scheme_begin(scheme, m->velocity, qn_acceleration(w, i), w->dt);
         qn_kept s = qn_scheme_begin(scheme, m->spin, qn_angular_acceleration(w, i), w->dt);
@@ -147,26 +167,39 @@ qn_status qn_step_begin(qn_world *w)
     return QN_OK;
 }
 
-// Kick and drift of the balls among the particles [first, last). Returns whether one has used up half the skin.
-static bool move(qn_world *w, int first, int last, bool *lost)
+// Kick and drift of a particle.
+static void move_one(qn_world *w, int i)
+{
+    double rounder = 1.5 * 0x1p52 * w->lattice;
+    qn_scheme scheme = w->def.scheme;
+    qn_motion *m = &w->motion[i];
+    qn_place *p = &w->place[i];
+    qn_kept v = {m->velocity, m->kick}, s = {m->spin, m->spin_kick};
+    v = qn_scheme_advance(scheme, v, qn_acceleration(w, i), w->dt);
+    s = qn_scheme_advance(scheme, s, qn_angular_acceleration(w, i), w->dt);
+    *m = (qn_motion){v.velocity, s.velocity, v.kick, s.kick};
+    p->x += w->dt * m->velocity.x;
+    p->y += w->dt * m->velocity.y;
+    double along = w->dt * m->velocity.z;
+    p->z += w->period > 0 ? (along + rounder) - rounder : along;
+}
+
+// Moves the balls among the particles [first, last) to the next step, where the drum is as given. Returns whether one has used
+// up half the skin.
+static bool move(qn_world *w, const qn_frame *drum, int first, int last, bool *lost)
 {
     double half_skin2 = 0.25 * w->neighbours->skin * w->neighbours->skin;
-    double fast = QN_FAST * w->smallest_radius / w->dt, rounder = 1.5 * 0x1p52 * w->lattice;
+    double fast = QN_FAST * w->smallest_radius / w->dt;
     bool spent = false, unsound = false;
-    qn_scheme scheme = w->def.scheme;
     for (int i = first; i < last; i++) {
         if (qn_body_of(w, i) >= 0) continue;
-        qn_motion *m = &w->motion[i];
-        qn_place *p = &w->place[i];
+        if (w->rest && w->classes[w->place[i].klass].turning)
+            qn_turning_put(w, drum, i);
+        else
+            move_one(w, i);
+        const qn_motion *m = &w->motion[i];
+        const qn_place *p = &w->place[i];
         const qn_anchor *anchor = &w->neighbours->anchor[i];
-        qn_kept v = {m->velocity, m->kick}, s = {m->spin, m->spin_kick};
-        v = qn_scheme_advance(scheme, v, qn_acceleration(w, i), w->dt);
-        s = qn_scheme_advance(scheme, s, qn_angular_acceleration(w, i), w->dt);
-        *m = (qn_motion){v.velocity, s.velocity, v.kick, s.kick};
-        p->x += w->dt * m->velocity.x;
-        p->y += w->dt * m->velocity.y;
-        double along = w->dt * m->velocity.z;
-        p->z += w->period > 0 ? (along + rounder) - rounder : along;
         double x = p->x - anchor->x, y = p->y - anchor->y, z = p->z - anchor->z;
         spent |= !(x * x + y * y + z * z <= half_skin2);
         unsound |= !(qn_dot(m->velocity, m->velocity) <= fast * fast);
@@ -179,6 +212,8 @@ qn_status qn_step_advance(qn_world *w)
 {
     qn_neighbours *nb = w->neighbours;
     qn_ledger *ledger = &w->ledger;
+    int body = w->walls.has_drum ? w->walls.drum_body : 0;
+    qn_frame drum = qn_walls_frame(&w->walls, body, (double)(w->step + 1) * w->dt);
     int spent = 0, unsound = 0;
     if (w->flow) QN_TRY(qn_flow_look(w));
     for (int e = 0; e < QN_LOSS_COUNT; e++) ledger->lost[e] += ledger->now[e];
@@ -192,7 +227,7 @@ qn_status qn_step_advance(qn_world *w)
               : spent, unsound)
     for (int t = 0; t < nb->share_count; t++) {
         bool lost;
-        spent |= move(w, nb->shares[t].first, nb->shares[t].last, &lost);
+        spent |= move(w, &drum, nb->shares[t].first, nb->shares[t].last, &lost);
         unsound |= lost;
     }
     double fast = QN_FAST * w->smallest_radius / w->dt;
