@@ -5,6 +5,8 @@
 #     make run      runs scenes/pilot-mill.yaml; figures and pictures in out/pilot-mill/;
 #                   one that was stopped goes on
 #     make test     runs the tests
+#     make validate runs the validation cases and writes docs/validation.md; half an hour at most
+#     make validate-mills  the same for whole mills, docs/validation-mills.md
 #     make build    builds build/quern
 #     make install  [PREFIX=/usr/local] [DESTDIR=]
 #     make bench    runs the benchmarks
@@ -18,7 +20,7 @@ PILOT := out/pilot-mill
 RUN_PILOT = $(BUILD)/quern run scenes/pilot-mill.yaml -o $(PILOT)
 COMPILE = cmake --build $(BUILD) --parallel $(JOBS)
 
-.PHONY: build run test install bench format clean configure
+.PHONY: build run test validate validate-mills install bench format clean configure
 
 configure:
 	@tools/install-packages build
@@ -38,6 +40,14 @@ test: configure
 	@$(COMPILE)
 	ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-label-summary \
 	      --no-tests=error --label-exclude validation-long
+
+validate: configure
+	@$(COMPILE)
+	@/usr/bin/python3 validation/report.py $(BUILD) --jobs $(JOBS)
+
+validate-mills: configure
+	@$(COMPILE)
+	@/usr/bin/python3 validation/report.py $(BUILD) --jobs $(JOBS) --group mills
 
 install: build
 	@cmake --install $(BUILD) $(if $(PREFIX),--prefix $(PREFIX))

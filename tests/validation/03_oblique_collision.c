@@ -15,7 +15,7 @@
 //            at the deepest), which the formulas for rigid bodies leave out. Sticking: 0.015 in e_t,
 //            12 rad/s and 1.2 degrees, a little above the 0.012, 10 rad/s and 1.1 degrees there are:
 //            it depends on the tangential dashpot, of which every code has its own.
-#include "check.h"
+#include "evidence.h"
 #include "worlds.h"
 
 #define OXIDE 380e9, 0.23, 4000, 0.0025
@@ -86,10 +86,12 @@ static void the_printed_table_of_sliding_impacts_comes_out(void)
         double th = table[k][0] * QN_PI / 180;
         qn_motion m;
         CHECK_STATUS(sent(OXIDE, 0.092, 0.98, qn_v3(3.9 * sin(th), -3.9 * cos(th), 0), 0, &m));
-        CHECK_NEAR(m.velocity.x / (3.9 * sin(th)), table[k][1], 1e-3);
-        CHECK_NEAR(m.spin.z / table[k][2], 1, 3e-3);
         double phi = atan2(m.velocity.x + m.spin.z * 0.0025, m.velocity.y) * 180 / QN_PI;
-        CHECK_NEAR(phi, table[k][3], 0.15);
+        const char *angle = where("%g deg", table[k][0]);
+        MEASURE("test 4, sliding: tangential restitution", angle, m.velocity.x / (3.9 * sin(th)),
+                table[k][1], 1e-3);
+        MEASURE("test 4, sliding: spin (rad/s)", angle, m.spin.z, table[k][2], -3e-3 * table[k][2]);
+        MEASURE("test 4, sliding: angle of rebound (deg)", angle, phi, table[k][3], 0.15);
     }
 }
 
@@ -103,9 +105,26 @@ static void a_sphere_that_sticks_comes_near_the_measurements(void)
         qn_motion m;
         CHECK_STATUS(sent(OXIDE, 0.092, 0.98, qn_v3(3.9 * sin(th), -3.9 * cos(th), 0), 0, &m));
         double phi = atan2(m.velocity.x + m.spin.z * 0.0025, m.velocity.y) * 180 / QN_PI;
-        CHECK_NEAR(m.velocity.x / (3.9 * sin(th)), table[k][1], 0.015);
-        CHECK_NEAR(m.spin.z, table[k][2], 12);
-        CHECK_NEAR(phi, table[k][3], 1.2);
+        const char *angle = where("%g deg", table[k][0]);
+        CURVE("measured", "angle (deg),restitution (1),spin (rad/s),rebound (deg)", table[k][0],
+              table[k][1], table[k][2], table[k][3]);
+        MEASURE("test 4, sticking: tangential restitution", angle, m.velocity.x / (3.9 * sin(th)),
+                table[k][1], 0.015);
+        MEASURE("test 4, sticking: spin (rad/s)", angle, m.spin.z, table[k][2], 12);
+        MEASURE("test 4, sticking: angle of rebound (deg)", angle, phi, table[k][3], 1.2);
+    }
+}
+
+static void the_spin_is_against_the_sliding_at_every_angle(void)
+{
+    for (double degrees = 2; degrees < 89; degrees += evidence_wanted() ? 1 : 17) {
+        double th = degrees * QN_PI / 180;
+        qn_motion m;
+        CHECK_STATUS(sent(OXIDE, 0.092, 0.98, qn_v3(3.9 * sin(th), -3.9 * cos(th), 0), 0, &m));
+        CURVE("run", "angle (deg),restitution (1),spin (rad/s),rebound (deg)", degrees,
+              m.velocity.x / (3.9 * sin(th)), m.spin.z,
+              atan2(m.velocity.x + m.spin.z * 0.0025, m.velocity.y) * 180 / QN_PI);
+        CHECK(m.spin.z < 0 && m.velocity.x < 3.9 * sin(th));
     }
 }
 
@@ -119,7 +138,8 @@ static void a_spinning_sphere_that_slides_reverses_its_surface_speed_by_x_less_o
         qn_motion m;
         CHECK_STATUS(sent(ALLOY, mu, e, qn_v3(0, -v, 0), w, &m));
         double beta = -(m.velocity.x + m.spin.z * r) / (w * r);
-        CHECK_NEAR(beta, x - 1, 2e-3);
+        MEASURE("test 6, sliding: reversal of the surface's speed", where("X = %g", x), beta, x - 1,
+                2e-3);
         CHECK_NEAR(beta, table[k][1], 0.02);
         CHECK_NEAR(m.velocity.x, -mu * (1 + e) * v, 1e-3 * mu * v);
     }
@@ -139,8 +159,10 @@ static void counter_spinning_spheres_keep_their_spin(void)
         CHECK_STATUS(collide(w));
         for (int i = 0; i < 2; i++) {
             double sign = w->id[i] == 1 ? 1 : -1;
-            CHECK_NEAR(w->motion[i].spin.z, sign * spin, 1e-13 * spin);
-            CHECK_NEAR(w->motion[i].velocity.y, 0, 1e-15);
+            const char *which = where("%d deg, ball %d", 5 * k, (int)w->id[i]);
+            MEASURE("test 7: spin after, by that before", which, sign * w->motion[i].spin.z / spin,
+                    1, 1e-13);
+            MEASURE("test 7: tangential speed (m/s)", which, w->motion[i].velocity.y, 0, 1e-15);
             CHECK_NEAR(w->motion[i].velocity.x, -0.5 * v * sign, 2e-3 * v);
         }
         qn_world_destroy(w);
@@ -152,6 +174,7 @@ int main(int argc, char **argv)
     TEST(a_sphere_that_slides_leaves_as_rigid_bodies_do);
     TEST(the_printed_table_of_sliding_impacts_comes_out);
     TEST(a_sphere_that_sticks_comes_near_the_measurements);
+    TEST(the_spin_is_against_the_sliding_at_every_angle);
     TEST(a_spinning_sphere_that_slides_reverses_its_surface_speed_by_x_less_one);
     TEST(counter_spinning_spheres_keep_their_spin);
     DONE;

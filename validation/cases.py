@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The validation cases: one row each, in the order of the page.
+
+A row names the test in tests/validation (without its ending), what it stands for, and the figure drawn
+from its curves (draw.py) with its caption. Everything else is told by the test itself.
+"""
+import collections
+
+import draw
+
+Case = collections.namedtuple("Case", "stem covers figure caption", defaults=(None, ""))
+
+CASES = [
+    Case("02_head_on_collision", "Chung & Ooi 1", draw.head_on,
+         "Force against overlap of two spheres: points are the run, lines Hertz's theory."),
+    Case("03_oblique_collision", "Chung & Ooi 4, 6, 7", draw.oblique,
+         "Aluminium oxide at a rigid wall: the published table (points) and rigid-body theory of sliding (lines)."),
+    Case("08_rolling_ball", "MFIX-DEM 4, rolling, slope", draw.slip_to_roll,
+         "Speed of a sliding ball (full) and of its rim (dashed); the dotted line is 5/7."),
+    Case("05_elastic_box", "energy balance"),
+    Case("09_invariance", "Galileo, rotation, loaded pair"),
+    Case("07_joints", "joints of walls"),
+    Case("04_lifted_ball", "critical speed"),
+    Case("10_cooling_gas", "Haff's law", draw.haff,
+         "Temperature of the gas (points) and Haff's law without a free parameter (line)."),
+    Case("01_thesis_bounces", "the document's Figs 4.5, 6.0 to 6.6", draw.thesis,
+         "The document's experiments: (a) forces at each step of a contact between two balls (Fig 4.5), "
+         "(b) overlap against speed with the power 4/5 (Fig 6.0), (c) a dropped ball (Figs 6.1 to 6.3), "
+         "(d) speed of a thrown ball and of its rim (Figs 6.4 to 6.6)."),
+    Case("06_mill_balance", "energy balance of a mill"),
+    Case("11_tiny_mill", "energy balance of a shipped scene"),
+]
+
+# The mills take an hour or more; they have a command and a page of their own.
+MILLS = []
+
+GROUPS = {"cases": CASES, "mills": MILLS}
+PAGES = {  # make target, page, title
+    "cases": ("validate", "validation.md", "Validation"),
+    "mills": ("validate-mills", "validation-mills.md", "Validation: mills"),
+}

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The figures of docs/validation.md: one function each, drawn from the CSV files of its case.
+
+A function gets `curve`, which gives the columns of a named curve, and the name of the picture. It may
+draw a formula beside the points, but no measured number that its case has not written.
+"""
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "plot"))
+
+import numpy as np  # noqa: E402
+
+from figures.style import (BLACK, BLUE, GREEN, GREY, LINES, NO_DATE, PAGE,  # noqa: E402
+                           RED, plt)
+
+DPI = 130
+HEIGHT = 2.2  # inches   of a row of panels
+POINTS = {"linestyle": "none", "marker": "o", "markersize": 3}
+
+
+def panels(columns, rows=1):
+    """A figure as wide as a page, or two thirds of it for a single panel; and its panels in a list."""
+    width = PAGE if columns > 1 else 0.65 * PAGE
+    figure, axes = plt.subplots(rows, columns, figsize=(width, HEIGHT * rows), squeeze=False,
+                                layout="constrained")
+    return figure, list(axes.flat)
+
+
+def save(figure, path):
+    figure.savefig(path, dpi=DPI, metadata=NO_DATE["png"], facecolor="white")
+    plt.close(figure)
+
+
+def label(axes, x, y, legend=True):
+    axes.set_xlabel(x)
+    axes.set_ylabel(y)
+    if legend:
+        axes.legend()
+
+
+def head_on(curve, path):
+    figure, axes = panels(2)
+    for name, e_star, colour in (("glass", 48e9 / (2 * (1 - 0.2**2)), BLUE),
+                                 ("limestone", 20e9 / (2 * (1 - 0.25**2)), RED)):
+        overlap, force, time = curve(name)
+        depth = np.linspace(0, overlap.max(), 200)
+        axes[0].plot(depth, 4 / 3 * e_star * 0.005**0.5 * (depth * 1e-6)**1.5 / 1e3, color=colour)
+        axes[0].plot(overlap[::4], force[::4], color=colour, label=name, **POINTS)
+        axes[1].plot(time, force, color=colour, label=name)
+    label(axes[0], "overlap (µm)", "force (kN)")
+    label(axes[1], "time (µs)", "force (kN)")
+    save(figure, path)
+
+
+def oblique(curve, path):
+    figure, axes = panels(3)
+    angle, *values = curve("run")
+    measured = curve("measured")
+    slope = np.tan(np.radians(np.linspace(33, 85, 100)))
+    theory = (1 - 0.092 * 1.98 / slope,
+              -2.5 * 0.092 * 1.98 * 3.9 * np.cos(np.arctan(slope)) / 0.0025,
+              np.degrees(np.arctan((slope - 3.5 * 0.092 * 1.98) / 0.98)))
+    for k, name in enumerate(("tangential restitution (1)", "spin (rad/s)", "angle of rebound (deg)")):
+        axes[k].plot(angle, values[k], color=BLUE, label="run")
+        axes[k].plot(np.degrees(np.arctan(slope)), theory[k], color=BLACK, linestyle=":",
+                     label="sliding, rigid")
+        axes[k].plot(measured[0], measured[k + 1], color=RED, label="published, sticking", **POINTS)
+        label(axes[k], "angle of impact (deg)", name, legend=k == 2)
+    save(figure, path)
+
+
+def slip_to_roll(curve, path):
+    figure, axes = panels(1)
+    for k, mu in enumerate((0.2, 0.5, 1)):
+        time, speed, rim = curve(f"slip{k}")
+        axes[0].plot(time, speed, color=LINES[k], label=f"µ = {mu:g}")
+        axes[0].plot(time, rim, color=LINES[k], linestyle="--")
+    axes[0].axhline(5 / 7 * 0.1, color=GREY, linestyle=":")
+    axes[0].set_xlim(0, 18)
+    label(axes[0], "time (ms)", "speed (m/s)")
+    save(figure, path)
+
+
+def haff(curve, path):
+    figure, axes = panels(1)
+    time, temperature = curve("temperature")
+    line = np.linspace(0, time.max(), 200)
+    axes[0].semilogy(line, (1 + line)**-2, color=BLACK, label="$(1 + t/\\tau)^{-2}$")
+    axes[0].semilogy(time, temperature, color=BLUE, label="run", **POINTS)
+    label(axes[0], "time / $\\tau$", "temperature / its first")
+    save(figure, path)
+
+
+def thesis(curve, path):
+    figure, axes = panels(2, 2)
+    step, spring, dashpot, force = curve("contact")
+    for values, name, colour in ((spring, "spring", GREEN), (dashpot, "dashpot", RED),
+                                 (force, "force", BLACK)):
+        axes[0].plot(step, values, marker=".", markersize=3, color=colour, label=name)
+    axes[0].axhline(0, color=GREY, linewidth=0.5)
+    label(axes[0], "step of 1 µs", "force (N)")
+    speed, overlap = curve("overlap")
+    line = np.linspace(0, 2.2, 100)
+    axes[1].plot(line, overlap[1] * line**0.8, color=BLACK, label="speed$^{4/5}$")
+    axes[1].plot(speed, overlap, color=BLUE, label="run", **POINTS)
+    label(axes[1], "speed of impact (m/s)", "overlap (% of $R$)")
+    time, height, _ = curve("drop")
+    axes[2].plot(1e3 * time, height, color=BLUE)
+    label(axes[2], "time (ms)", "height of the centre (mm)", legend=False)
+    time, _, speed, rim = curve("launch")
+    axes[3].plot(1e3 * time, speed, color=BLUE, label="speed")
+    axes[3].plot(1e3 * time, rim, color=RED, label="rim")
+    axes[3].axhline(5 / 7, color=GREY, linestyle=":")
+    label(axes[3], "time (ms)", "speed (m/s)")
+    for k, panel in enumerate(axes):
+        panel.set_title(f"({'abcd'[k]})", loc="left")
+    save(figure, path)
