@@ -13,8 +13,13 @@ Case = collections.namedtuple("Case", "stem covers figure caption", defaults=(No
 CASES = [
     Case("02_head_on_collision", "Chung & Ooi 1", draw.head_on,
          "Force against overlap of two spheres: points are the run, lines Hertz's theory."),
+    Case("12_plane_impact", "Chung & Ooi 2, 3", draw.restitution,
+         "Ratio of speeds against the restitution asked for, aluminium oxide and cast iron at 3.9 m/s."),
     Case("03_oblique_collision", "Chung & Ooi 4, 6, 7", draw.oblique,
          "Aluminium oxide at a rigid wall: the published table (points) and rigid-body theory of sliding (lines)."),
+    Case("13_gripping_impact", "Chung & Ooi 5, 6, 8", draw.gripping,
+         "Microscopic spheres (left: speed of the surface, middle: spin) and spinning spheres (right). Red: points "
+         "that other codes have digitised from the paper's figures, made with other tangential laws."),
     Case("08_rolling_ball", "MFIX-DEM 4, rolling, slope", draw.slip_to_roll,
          "Speed of a sliding ball (full) and of its rim (dashed); the dotted line is 5/7."),
     Case("05_elastic_box", "energy balance"),

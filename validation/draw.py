@@ -116,3 +116,84 @@ def thesis(curve, path):
     for k, panel in enumerate(axes):
         panel.set_title(f"({'abcd'[k]})", loc="left")
     save(figure, path)
+
+
+def restitution(curve, path):
+    figure, axes = panels(1)
+    axes[0].plot([0, 1], [0, 1], color=GREY, linewidth=0.6, label="asked for")
+    for name, colour in (("oxide", BLUE), ("iron", RED)):
+        axes[0].plot(*curve(name), color=colour, label=name, **POINTS)
+    label(axes[0], "restitution asked for", "ratio of speeds")
+    save(figure, path)
+
+
+def gripping(curve, path):
+    figure, axes = panels(3)
+    for name, colour in (("steel", BLUE), ("polyethylene", GREEN)):
+        x, surface, spin = curve(name)
+        axes[0].plot(x, surface, color=colour, label=name)
+        axes[1].plot(x, spin, color=colour, label=name)
+    axes[0].plot([7, 12], [0, 5], color=BLACK, linestyle=":", label="sliding, rigid")
+    axes[1].plot([7, 12], [-5, -5], color=BLACK, linestyle=":", label="sliding, rigid")
+    axes[0].plot(*curve("published5"), color=RED, label="other codes", **POINTS)
+    label(axes[0], "$V_t / \\mu V_n$", "surface speed / $\\mu V_n$")
+    label(axes[1], "$V_t / \\mu V_n$", "$r\\omega / \\mu V_n$")
+    for name, colour in (("aluminium", BLUE), ("nylon", GREEN)):
+        axes[2].semilogx(*curve(name), color=colour, label=name)
+    axes[2].semilogx(*curve("large"), color=BLACK, marker="+", linestyle="none", markersize=4,
+                     label="on a large one")
+    axes[2].semilogx(*curve("published6"), color=RED, label="other codes", **POINTS)
+    label(axes[2], "$3.5\\,\\mu(1+e)V_n / r\\omega$", "reversal of the surface speed")
+    save(figure, path)
+
+
+def mfix(curve, path):
+    figure, axes = panels(2)
+    for name, e, colour in (("soft10", 1.0, BLUE), ("soft06", 0.6, RED)):
+        time, height, theory = curve(name)
+        axes[0].plot(time, theory, color=BLACK, linewidth=0.6)
+        axes[0].plot(time[::24], height[::24], color=colour, label=f"e = {e:g}", **POINTS)
+    label(axes[0], "time (s)", "height of the centre (m)")
+    bounce = np.arange(1, 6)
+    axes[1].semilogy(bounce, 0.4 * 0.8 ** (2 * bounce), color=BLACK, linewidth=0.6, label="hard ball")
+    for name, k, colour in (("soft", "5·10$^5$", RED), ("medium", "5·10$^6$", GREEN), ("stiff", "5·10$^7$", BLUE)):
+        axes[1].semilogy(*curve(name), color=colour, label=f"$k$ = {k} N/m", **POINTS)
+    axes[1].set_xticks(bounce)
+    label(axes[1], "bounce", "height above the plane (m)")
+    save(figure, path)
+
+
+def restitution_of_laws(curve, path):
+    figure, axes = panels(2)
+    for name, mark in (("viscous", "o"), ("tsuji", "s")):
+        for clip, face in ((0, "none"), (1, None)):
+            rows = curve(name)
+            _, _, speed, ratio = rows[:, rows[0] == clip]
+            axes[0].semilogx(speed, ratio, linestyle="none", marker=mark, color=BLUE if mark == "o" else RED,
+                             markersize=3 + 3 * (1 - clip), markerfacecolor=face,
+                             label=f"{name}, {'clipped' if clip else 'not clipped'}")
+    for e in (0.3, 0.6, 0.9):
+        axes[0].axhline(e, color=GREY, linewidth=0.5)
+    for k, e in enumerate((0.3, 0.6, 0.9)):
+        for name, style in (("linear_hunt", {"linestyle": "-"}), ("hertz_hunt", POINTS)):
+            asked, speed, ratio = curve(name)
+            chosen = np.isclose(asked, e)
+            axes[1].semilogx(speed[chosen], ratio[chosen], color=LINES[k], **style,
+                             label=f"e = {e:g}" if name == "linear_hunt" else None)
+    axes[1].axvline(0.3, color=GREY, linewidth=0.5)
+    for panel in axes:
+        panel.set_ylim(-0.35 if panel is axes[0] else 0, 1.02)
+    for panel in axes:
+        label(panel, "speed of impact (m/s)", "ratio of speeds")
+    save(figure, path)
+
+
+def cycle(curve, path):
+    figure, axes = panels(2)
+    for k, what in enumerate(("slide", "load")):
+        for name, style in (("mindlin", {"color": RED}), ("thornton", {"color": BLUE, "linestyle": "--"})):
+            axes[k].plot(*curve(f"{name}_{what}"), label={"mindlin": "mindlin", "thornton": "mindlin-thornton"}[name],
+                         **style)
+        axes[k].set_title(f"({'ab'[k]})", loc="left")
+        label(axes[k], "displacement (µm)", "tangential force (mN)")
+    save(figure, path)

@@ -25,7 +25,7 @@ import cases
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TESTS = os.path.join(ROOT, "tests", "validation")
 DOCS = os.path.join(ROOT, "docs")
-SHOWN = 3  # 1   rows of one quantity in a table; of more the one furthest off is shown
+SHOWN = 6  # 1   rows of one quantity in a table; of more the one furthest off is shown
 SECTIONS = ("Setup", "Formula", "Source", "Tolerance")
 HEAD = """<!-- Written by `make {target}`; do not edit. -->
 # {title}
