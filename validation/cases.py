@@ -22,6 +22,9 @@ CASES = [
          "that other codes have digitised from the paper's figures, made with other tangential laws."),
     Case("08_rolling_ball", "MFIX-DEM 4, rolling, slope", draw.slip_to_roll,
          "Speed of a sliding ball (full) and of its rim (dashed); the dotted line is 5/7."),
+    Case("14_mfix_dem", "MFIX-DEM 1, 2, 3, 5", draw.mfix,
+         "DEM01 (left): height of a ball against time, points are the run, the line is theory, k = 2·10⁵ N/m. "
+         "DEM02 (right): height of bounces at e = 0.8 for three stiffnesses and for a hard ball."),
     Case("05_elastic_box", "energy balance"),
     Case("09_invariance", "Galileo, rotation, loaded pair"),
     Case("07_joints", "joints of walls"),
