@@ -22,6 +22,13 @@ CASES = [
          "that other codes have digitised from the paper's figures, made with other tangential laws."),
     Case("08_rolling_ball", "MFIX-DEM 4, rolling, slope", draw.slip_to_roll,
          "Speed of a sliding ball (full) and of its rim (dashed); the dotted line is 5/7."),
+    Case("15_restitution_of_laws", "restitution of all dampings", draw.restitution_of_laws,
+         "Ratio of speeds against speed of impact. Left: viscous and tsuji, asked for 0.3, 0.6 and 0.9. Right: "
+         "hunt-crossley, which gives the restitution at the speed it is asked for, 0.3 m/s; lines on a linear "
+         "spring, points on Hertz's."),
+    Case("16_tangential_cycle", "Mindlin and Thornton", draw.cycle,
+         "Tangential force against displacement: (a) sliding to and fro, where both are the same; (b) moved, pressed "
+         "on, moved back, let off: mindlin gives energy, mindlin-thornton takes it."),
     Case("14_mfix_dem", "MFIX-DEM 1, 2, 3, 5", draw.mfix,
          "DEM01 (left): height of a ball against time, points are the run, the line is theory, k = 2·10⁵ N/m. "
          "DEM02 (right): height of bounces at e = 0.8 for three stiffnesses and for a hard ball."),

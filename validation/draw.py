@@ -197,3 +197,37 @@ def cycle(curve, path):
         axes[k].set_title(f"({'ab'[k]})", loc="left")
         label(axes[k], "displacement (µm)", "tangential force (mN)")
     save(figure, path)
+
+
+def stack(curve, path):
+    figure, axes = panels(1)
+    above, overlap, theory = curve("depth")
+    axes[0].plot(above, theory, color=BLACK, marker="_", linestyle="none", markersize=9, label="Hertz")
+    axes[0].plot(above, overlap, color=BLUE, label="run", **POINTS)
+    label(axes[0], "balls borne by the contact (10: on the floor)", "overlap (µm)")
+    save(figure, path)
+
+
+def silo(curve, path):
+    figure, axes = panels(1)
+    weight, floor, limit = curve("floor")
+    line = np.linspace(0, 1.05 * weight.max(), 200)
+    axes[0].plot(line, limit[0] * (1 - np.exp(-line / limit[0])), color=BLACK, label="Janssen")
+    axes[0].plot(line, line, color=GREY, linestyle=":", label="all of it")
+    axes[0].plot(weight, floor, color=BLUE, label="run", **POINTS)
+    axes[0].set_ylim(0, 2 * limit[0])
+    label(axes[0], "weight of the balls (N)", "force on the floor (N)")
+    save(figure, path)
+
+
+def heap(curve, path):
+    figure, axes = panels(2)
+    for k, name in enumerate(("r000", "r010", "r040")):
+        x, height = curve(name)
+        axes[0].plot(x, height, color=LINES[k], marker="o", markersize=3,
+                     label=f"$\\mu_r$ = {int(name[1:]) / 100:g}")
+    axes[0].set_aspect("equal")
+    axes[1].plot(*curve("slopes"), color=BLUE, marker="o", markersize=3)
+    label(axes[0], "distance from the wall (mm)", "height (mm)")
+    label(axes[1], "rolling friction $\\mu_r$", "slope of the heap (deg)", legend=False)
+    save(figure, path)
