@@ -33,6 +33,8 @@ CASES = [
          "DEM01 (left): height of a ball against time, points are the run, the line is theory, k = 2·10⁵ N/m. "
          "DEM02 (right): height of bounces at e = 0.8 for three stiffnesses and for a hard ball."),
     Case("05_elastic_box", "energy balance"),
+    Case("17_stack", "energy of a stack", draw.stack,
+         "Overlap of each contact of a column of ten balls; the one on the floor is of other materials."),
     Case("09_invariance", "Galileo, rotation, loaded pair"),
     Case("07_joints", "joints of walls"),
     Case("04_lifted_ball", "critical speed"),
