@@ -40,6 +40,10 @@ CASES = [
     Case("04_lifted_ball", "critical speed"),
     Case("10_cooling_gas", "Haff's law", draw.haff,
          "Temperature of the gas (points) and Haff's law without a free parameter (line)."),
+    Case("18_silo", "Janssen's law", draw.silo,
+         "Force on the floor of a silo against the weight in it."),
+    Case("19_heap", "angle of repose, trend", draw.heap,
+         "Surface of the heap on its shelf (left) and its slope against rolling friction (right)."),
     Case("01_thesis_bounces", "the document's Figs 4.5, 6.0 to 6.6", draw.thesis,
          "The document's experiments: (a) forces at each step of a contact between two balls (Fig 4.5), "
          "(b) overlap against speed with the power 4/5 (Fig 6.0), (c) a dropped ball (Figs 6.1 to 6.3), "
