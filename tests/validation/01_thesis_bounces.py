@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The reference document's elementary experiments, from the scenes that are shipped.
 
-Setup      scenes/drop, launch, overlap and two-spheres.yaml, R = 1.5 mm, the `thesis` law at its own
+Setup      scenes/drop, launch, overlap, two-spheres and thesis-mill-80.yaml, R = 1.5 mm, the `thesis` law at its own
            step of 1 us, as recorded in traces.csv and trace_contacts.csv.
 Formula    Ratio of the speeds at the height of touching, found from the free flight on either side
            by energy (a trace row is up to ten steps from the touch, which gravity would count as
@@ -19,10 +19,35 @@ Tolerance  At 1 us a bounce depends on where in a step it begins, as the dashpot
            launch: 0.002 of the speed, as the arm is R less the overlap, 0.6 % at the first bounce.
            overlap: 0.01 and 0.02 of 1.03 % and 1.79 %, and 0.6 % of speed^(4/5): over those phases the
            depth varies by 0.3 % either way.
+           coefficients: 1e-6, as the table has six digits or more (its stiffness of glass on liner 2e-6: rounded).
 """
+import json
+import os
+import subprocess
+import sys
+
 import common_runs as lab
 
 R = 0.0015  # m
+
+
+# The document's table of coefficients (Fig 5.23): normal and tangential stiffness and damping, in SI.
+PRINTED = {
+    "glass-glass": {"normal_stiffness": 2335490000, "normal_damping": 59.56369,
+                    "tangential_stiffness": 5696.3146, "tangential_damping": 75.952846},
+    "glass-liner": {"normal_stiffness": 32147700.0, "normal_damping": 9.963325,
+                    "tangential_stiffness": 67.917597, "tangential_damping": 11.824291},
+}
+
+
+def the_documents_coefficients_come_out_of_its_materials():
+    scene = os.path.join(lab.SCENES, "thesis-mill-80.yaml")
+    told = subprocess.run([sys.argv[1], "check", scene, "--json"], check=True, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    for pair, values in PRINTED.items():
+        for name, printed in values.items():
+            lab.measure(f"coefficients: {name.replace('_', ' ')}", pair, json.loads(told)["pairs"][pair][name],
+                        printed, (2e-6 if printed == 32147700.0 else 1e-6) * printed)
 
 
 def ratios(trace, touch, count):
@@ -116,7 +141,8 @@ def at_a_tenth_of_the_step_two_balls_rebound_with_0_660():
         lab.measure("fixed ball: ratio of speeds", "0.1 us steps", ratio, 0.660, 0.001)
 
 
-lab.main([a_dropped_ball_rebounds_with_0_657_of_its_speed,
+lab.main([the_documents_coefficients_come_out_of_its_materials,
+          a_dropped_ball_rebounds_with_0_657_of_its_speed,
           a_thrown_ball_slows_and_spins_at_each_bounce_until_it_rolls,
           balls_go_in_as_deep_as_the_document_shows,
           two_balls_part_after_20_steps_and_an_attraction,
