@@ -40,6 +40,7 @@ CASES = [
     Case("04_lifted_ball", "critical speed"),
     Case("12_convergence", "order of the time integrations"),
     Case("22_mesh_exactness", "meshes against planes"),
+    Case("23_shared_corners", "shared corners: the document's Fig 5.20"),
     Case("20_moving_walls", "walls that move"),
     Case("21_wear", "wear of walls"),
     Case("30_clumps", "clumps"),
