@@ -54,7 +54,8 @@ static void leg(machine *m, double deeper, double along)
         m->depth += deeper / STEPS, m->slip += along / STEPS;
         qn_touch t = {.between = {0, R - m->depth, 0},
                       .velocity = {along / STEPS / dt, -deeper / STEPS / dt, 0},
-                      .memory = m->memory};
+                      .memory = m->memory,
+                      .last = {0, 1, 0}};
         qn_reply reply;
         qn_contact_evaluate(m->law, &m->pair, &reach, &t, &reply);
         m->memory = reply.memory;
