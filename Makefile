@@ -5,6 +5,7 @@
 #     make run      runs scenes/pilot-mill.yaml; figures and pictures in out/pilot-mill/;
 #                   one that was stopped goes on
 #     make test     runs the tests
+#     make validate runs the validation cases and writes docs/validation.md; half an hour at most
 #     make validate-mills  runs slices of the reference document's mills and writes
 #                   docs/validation-mills.md; an hour on two free cores
 #     make build    builds build/quern
@@ -20,7 +21,7 @@ PILOT := out/pilot-mill
 RUN_PILOT = $(BUILD)/quern run scenes/pilot-mill.yaml -o $(PILOT)
 COMPILE = cmake --build $(BUILD) --parallel $(JOBS)
 
-.PHONY: build run test validate-mills install bench format clean configure
+.PHONY: build run test validate validate-mills install bench format clean configure
 
 configure:
 	@tools/install-packages build
@@ -40,6 +41,10 @@ test: configure
 	@$(COMPILE)
 	ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-label-summary \
 	      --no-tests=error --label-exclude validation-long
+
+validate: configure
+	@$(COMPILE)
+	@/usr/bin/python3 validation/report.py $(BUILD) --jobs $(JOBS)
 
 validate-mills: build
 	@/usr/bin/python3 validation/mills.py $(BUILD)

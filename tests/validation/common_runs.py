@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""For the experiments that run a shipped scene: running it, reading its traces, finding bounces."""
+"""For the experiments that run a shipped scene: running it, reading its traces, finding bounces;
+checks and curves for docs/validation.md, as evidence.h has them for C."""
 import csv
 import os
 import shutil
@@ -34,6 +35,34 @@ def rows(folder, name):
             return text
     with open(os.path.join(folder, name), encoding="utf-8") as file:
         return [{k: number(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
+
+def _record(name, columns, values):
+    """Adds rows to <case>.<name>.csv in the folder that `make validate` names, if it does."""
+    folder = os.environ.get("QUERN_VALIDATION")
+    if not folder:
+        return
+    case = os.path.splitext(os.path.basename(sys.argv[0]))[0]
+    path = os.path.join(folder, f"{case}.{name}.csv")
+    begins = not os.path.exists(path)
+    with open(path, "a", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        if begins:
+            writer.writerow(columns.split(","))
+        writer.writerows(values)
+
+
+def curve(name, columns, values):
+    """Rows of a curve for the figure of the case; columns are "time (s),speed (m/s)"."""
+    _record(name, columns, values)
+
+
+def measure(quantity, at, value, expected, tolerance):
+    """A check that is a row of docs/validation.md."""
+    _record("checks", "quantity,at,value,expected,tolerance",
+            [(quantity, at, repr(value), repr(expected), repr(tolerance))])
+    assert abs(value - expected) <= tolerance, (
+        f"{quantity} {at} = {value!r}, expected {expected!r} within {tolerance!r}")
 
 
 def bounces(trace):
