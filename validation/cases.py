@@ -57,12 +57,3 @@ CASES = [
     Case("06_mill_balance", "energy balance of a mill"),
     Case("11_tiny_mill", "energy balance of a shipped scene"),
 ]
-
-# The mills take an hour or more; they have a command and a page of their own.
-MILLS = []
-
-GROUPS = {"cases": CASES, "mills": MILLS}
-PAGES = {  # make target, page, title
-    "cases": ("validate", "validation.md", "Validation"),
-    "mills": ("validate-mills", "validation-mills.md", "Validation: mills"),
-}

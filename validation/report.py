@@ -6,7 +6,7 @@ Each case is a test of tests/validation: a C program of the build or a Python sc
 comment says setup, formula, source and tolerance, its checks and curves come as CSV files (see
 evidence.h there and common_runs.py), and cases.py names its figure. The page is made from these alone.
 
-    validation/report.py BUILD [--group mills] [--jobs 2] [--only 03,14]
+    validation/report.py BUILD [--jobs 2] [--only 03,14]
 """
 import argparse
 import concurrent.futures
@@ -27,11 +27,11 @@ TESTS = os.path.join(ROOT, "tests", "validation")
 DOCS = os.path.join(ROOT, "docs")
 SHOWN = 6  # 1   rows of one quantity in a table; of more the one furthest off is shown
 SECTIONS = ("Setup", "Formula", "Source", "Tolerance")
-HEAD = """<!-- Written by `make {target}`; do not edit. -->
-# {title}
+HEAD = """<!-- Written by `make validate`; do not edit. -->
+# Validation
 
 Every row was measured by the tests in `tests/validation` on the code as it is, and compared with theory
-or with published numbers; `make {target}` runs them again and rewrites this page. *Tolerance* is what
+or with published numbers; `make validate` runs them again and rewrites this page. *Tolerance* is what
 the test enforces and why; a verdict is *passed* only if every check of the case holds. Where a quantity
 was measured at many points, the table has the one furthest off (for its tolerance), and how many there were.
 
@@ -175,15 +175,14 @@ def section(case, outcome, data, images):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build")
-    parser.add_argument("--group", default="cases", choices=cases.GROUPS)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", help="beginnings of names, with commas; writes no page")
     options = parser.parse_args()
-    target, page, title = cases.PAGES[options.group]
-    chosen = [c for c in cases.GROUPS[options.group]
+    page = "validation.md"
+    chosen = [c for c in cases.CASES
               if not options.only or c.stem.startswith(tuple(options.only.split(",")))]
     build = os.path.abspath(options.build)
-    data = os.path.join(build, "validation", options.group)
+    data = os.path.join(build, "validation")
     images = os.path.join(DOCS, "img", "validation") if not options.only else data
     shutil.rmtree(data, ignore_errors=True)
     os.makedirs(data)
@@ -198,7 +197,7 @@ def main():
         failed += not passed
     path = os.path.join(DOCS, page) if not options.only else os.path.join(data, page)
     with open(path, "w", encoding="utf-8") as file:
-        file.write(HEAD.format(target=target, title=title))
+        file.write(HEAD)
         file.write("\n".join(["| case | stands for | promises | numbers | verdict |", "|---|---|---|---|---|"]
                              + overview + ["", *lines]))
     print(f"{len(chosen) - failed} cases passed, {failed} failed; {os.path.relpath(path)}")
