@@ -8,8 +8,9 @@
 //            without rolling friction stand at 18 to 27 degrees, with 0.4 between 27 and 45.
 // Source     Zhou, Xu, Yu & Zulli (2002), Powder Technol. 125, 45, doi:10.1016/S0032-5910(01)00520-4; Wensrich &
 //            Katterfeld (2012), Powder Technol. 217, 409, doi:10.1016/j.powtec.2011.10.057.
-// Tolerance  Each angle above the one before by half a degree or more up to mu_r = 0.2, the scatter of a slope
-//            of 20 balls; the ranges are those of the papers' heaps.
+// Tolerance  Each angle at 0, 0.1 and 0.4 above the one before by a degree or more. Another packing of this
+//            small heap changes its slope by 1 to 3 degrees (measured), so finer steps in between are drawn and not
+//            held to rise. The ranges are those of the papers' heaps.
 #include "beds.h"
 #include "evidence.h"
 
@@ -71,7 +72,8 @@ static void a_heap_is_steeper_the_more_its_balls_resist_rolling(void)
         CURVE("slopes", "rolling friction (1),slope (deg)", rolling[k], slope);
         if (k == 0) MEASURE("slope (deg)", which, slope, 22.5, 4.5);
         if (k == 4) MEASURE("slope (deg)", which, slope, 36, 9);
-        CHECK(slope > before + 0.5);
+        if (rolling[k] == 0.05 || rolling[k] == 0.2) continue;
+        CHECK(slope > before + 1);
         before = slope;
     }
 }
