@@ -15,6 +15,12 @@
 
 #include "physics/damping.h"
 
+/// What the first half of the collision takes less what the second gives; 0 where x and e belong together.
+static inline double qn_hunt_crossley_excess(double x, double e)
+{
+    return x - log1p(x) + e * x + log1p(-e * x);
+}
+
 /// x of restitution e in ]0, 1]; by bisection.
 static inline double qn_hunt_crossley_number(double e)
 {
@@ -22,7 +28,7 @@ static inline double qn_hunt_crossley_number(double e)
     if (e >= 1) return 0;
     for (int i = 0; i < 200; i++) {
         double x = (low + high) / 2;
-        if (x - log1p(x) + e * x + log1p(-e * x) > 0)
+        if (qn_hunt_crossley_excess(x, e) > 0)
             low = x;
         else
             high = x;
@@ -37,7 +43,7 @@ static inline double qn_hunt_crossley_restitution(double x)
     if (!(x > 0)) return 1;
     for (int i = 0; i < 200; i++) {
         double e = (low + high) / 2;
-        if (x - log1p(x) + e * x + log1p(-e * x) > 0)
+        if (qn_hunt_crossley_excess(x, e) > 0)
             low = e;
         else
             high = e;
