@@ -217,7 +217,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(classes,            WHOLE,   PURE,         "[1, 64]",   "",                 "12",             FIXED, "equal steps of ln d between min and max, each with one diameter that keeps its number and mass")
 
 #define QN_FEED_KEYS(K)                                                                                                             \
-    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group whose material, sizes, padding and spin it gives") \
+    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group of balls, not clumps, whose material, sizes, padding and spin it gives, at places drawn by the seed") \
     K(rate,               NUMBER,  FEED_RATE,    "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or by number")          \
     K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box in which particles appear") \
     K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \

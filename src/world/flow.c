@@ -74,6 +74,7 @@ static qn_status feed_create(const qn_world *w, const qn_feed_def *def, qn_feed 
     double largest = 0;
     for (int s = 0; s < g->size_count; s++) largest = qn_max(largest, g->diameter[s]);
     double radius = largest / 2 * (1 + g->padding);
+    feed->radius = radius;
     for (int k = 0; k < def->group; k++) feed->first_class += w->def.groups[k].size_count;
     feed->stride = occasions(w, def, largest);
     QN_TRY(def->is_disc ? fill_disc(feed, def, radius) : fill_box(feed, def, radius));

@@ -12,6 +12,7 @@
 typedef struct qn_feed {
     int site_count;
     qn_vec3 *sites;   // m   centres where the largest sphere fits beside its neighbours; owned
+    double radius;    // m   of the largest with its padding: half the width of a site's cell
     int first_class;  //     of its group
     int64_t stride;   //     steps between its occasions
 } qn_feed;

@@ -98,6 +98,61 @@ static void a_feed_by_mass_gives_its_mass_and_its_sizes(void)
     qn_world_destroy(w);
 }
 
+// Spheres of one size, as many as there is room for, at the feed's first occasion.
+static qn_world *world_at_first_intake(bool is_disc)
+{
+    qn_def def = def_of_hopper(1e9, false);
+    def.groups[0].size_count = 1;
+    def.groups[0].fraction[0] = 1;
+    if (is_disc) {
+        def.feeds[0].is_disc = true;
+        def.feeds[0].centre = qn_v3(0.012, 0.02, 0.012);
+        def.feeds[0].normal = qn_v3(0, 1, 0);
+        def.feeds[0].radius = 0.009;
+    }
+    qn_world *w = world_of(def, 1);
+    for (int i = 0; i < 2000 && w->count == 0; i++)
+        if (take_steps(w, 1) != QN_OK) break;
+    return w;
+}
+
+static void what_a_box_feeds_fills_it_well_but_stands_in_no_columns(void)
+{
+    qn_world *w = world_at_first_intake(false);
+    const qn_feed_def *f = &w->def.feeds[0];
+    double radius = w->classes[0].radius, step = 1e-3 * radius;
+    CHECK(w->count > 0.5 * w->flow->feeds[0].site_count);
+    int above = 0;
+    for (int i = 0; i < w->count; i++) {
+        qn_vec3 x = qn_world_position(w, i);
+        CHECK(x.x >= f->low.x + radius && x.x <= f->high.x - radius);
+        CHECK(x.y >= f->low.y + radius - step && x.y <= f->high.y - radius);
+        CHECK(x.z >= f->low.z + radius && x.z <= f->high.z - radius);
+        for (int j = 0; j < i; j++) {
+            qn_vec3 y = qn_world_position(w, j);
+            above += fabs(x.x - y.x) < step && fabs(x.z - y.z) < step;
+        }
+    }
+    CHECK(above == 0);
+    qn_world_destroy(w);
+}
+
+static void what_a_disc_feeds_lies_scattered_in_it(void)
+{
+    qn_world *w = world_at_first_intake(true);
+    double radius = w->classes[0].radius;
+    int off = 0;
+    CHECK(w->count > 0.5 * w->flow->feeds[0].site_count);
+    for (int i = 0; i < w->count; i++) {
+        qn_vec3 d = qn_sub(qn_world_position(w, i), w->def.feeds[0].centre);
+        CHECK(fabs(d.y) < 1e-4 && hypot(d.x, d.z) <= 0.009 - radius + 1e-6);
+        double cells = d.x / (2 * radius * 1.02);
+        off += fabs(cells - nearbyint(cells)) > 0.02;
+    }
+    CHECK(off > w->count / 4);
+    qn_world_destroy(w);
+}
+
 static void what_finds_no_room_waits(void)
 {
     qn_def def = def_of_hopper(1e6, false);
@@ -323,6 +378,8 @@ int main(int argc, char **argv)
 {
     TEST(a_feed_gives_its_number_into_an_empty_box);
     TEST(a_feed_by_mass_gives_its_mass_and_its_sizes);
+    TEST(what_a_box_feeds_fills_it_well_but_stands_in_no_columns);
+    TEST(what_a_disc_feeds_lies_scattered_in_it);
     TEST(what_finds_no_room_waits);
     TEST(a_screen_lets_only_the_smaller_pass_and_the_energy_adds_up);
     TEST(what_leaves_a_bed_takes_the_energy_of_its_contacts);
