@@ -234,7 +234,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(point,              VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a plane, instead of a box; what has its centre beyond it leaves") \
     K(normal,             VECTOR,  PURE,         "",          "",                 "",               FIXED, "of the plane, the way out")     \
     K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "all",              "all",            FIXED, "of the open part of the plane, about its point") \
-    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it")
+    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it; it neither opens nor draws a wall: put it in the surface of one, which holds back what is larger")
 
 #define QN_MEASURE_KEYS(K)                                                                                                          \
     K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           FREE,  "between rows of the time series") \
