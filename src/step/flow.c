@@ -84,10 +84,10 @@ static bool is_due(const qn_world *w, int feed, int klass)
 {
     const qn_feed_def *def = &w->def.feeds[feed];
     const int64_t *fed = w->flow->fed + (int64_t)feed * w->class_count;
-    double time = qn_min(qn_world_time(w), def->stop) - def->start;
-    if (!(time > 0)) return false;
-    if (!def->by_mass) return (double)(qn_flow_count(w, fed) + 1) <= def->rate * time;
-    return qn_flow_mass(w, fed) + 0.5 * w->classes[klass].mass <= def->rate * time;
+    double asked = qn_flow_asked(w, feed, qn_world_time(w));
+    if (!(asked > 0)) return false;
+    if (!def->by_mass) return (double)(qn_flow_count(w, fed) + 1) <= asked;
+    return qn_flow_mass(w, fed) + 0.5 * w->classes[klass].mass <= asked;
 }
 
 // The space around a feed's sites, with the spheres in it that stay.

@@ -33,7 +33,7 @@ struct qn_flow {
 };
 
 /// Prepares the feeds and outlets of the definition; leaves world->flow NULL where there are none.
-/// QN_INPUT where a feed has no room for a single sphere.
+/// QN_INPUT where a feed has no room for a single sphere, in its region or within the walls.
 QN_NODISCARD qn_status qn_flow_create(qn_world *world);
 void qn_flow_destroy(qn_flow *flow);
 
@@ -44,6 +44,13 @@ double qn_flow_energy_out(const qn_world *world);
 /// Particles and mass (kg) that a feed has given or an outlet has taken.
 int64_t qn_flow_count(const qn_world *world, const int64_t *by_class);
 double qn_flow_mass(const qn_world *world, const int64_t *by_class);
+
+/// What a feed should give until time t (s), by its rate: kg or particles.
+double qn_flow_asked(const qn_world *world, int feed, double t);
+
+/// Whether a feed has given less than asked until now, by more than its next sphere and what falls due
+/// between two occasions: its places were full. Both in kg or particles, as its rate is.
+bool qn_flow_is_short(const qn_world *world, int feed, double *given, double *asked);
 
 /// The same of all feeds (0) or all outlets (1).
 double qn_flow_total_count(const qn_world *world, int which);

@@ -54,6 +54,17 @@ def resumed():
     assert summary("again")["outlets"] == summary("whole")["outlets"]
 
 
+@test("a feed whose places are full says what it gave of what was asked")
+def short():
+    for rate, sentence in (("1 kg/s", " g of the 8 g asked"), ("2e6 1/s", " of the 1.6e+04 asked")):
+        scene = write("mill.yaml", changed(SCENE, ("9000 1/s", rate), ("3000 steps", "800 steps")))
+        done = quern("run", scene, "-o", "out", "--force", "--threads", 1).expect(0, sentence + ": its places were full")
+        line = next(line for line in done.err.splitlines() if line.startswith("feed chute gave"))
+        assert line in open("out/log.txt").read(), line
+    scene = write("mill.yaml", changed(SCENE, ("3000 steps", "1500 steps")))
+    assert "asked" not in quern("run", scene, "-o", "well", "--threads", 1).expect(0).err
+
+
 @test("a world may begin empty")
 def empty():
     scene = changed(SCENE, ("  balls: {material: ball, diameter: 2.5 mm, filling: 30 %, jitter: 50 %}\n", ""),
@@ -84,6 +95,9 @@ def wrong():
             ("particles: rock, rate", "particles: rocks, rate",
              "feeds.chute.particles = rocks is not a group of particles; did you mean 'rock'?"),
             ("9000 1/s", "9000 kg", "feeds.chute.rate = 9000 kg should be a mass by time or a frequency"),
+            ("stop: 25 ms", "start: 25 ms, stop: 20 ms", "feeds.chute.stop = 20 ms must be after start, 25 ms"),
+            ("low: -10 10 1 mm, high: 10 15 8 mm", "low: -10 40 1 mm, high: 10 45 8 mm",
+             "feeds.chute: its region has no room within the walls for a sphere of"),
             ("high: 10 15 8 mm", "high: 10 9 8 mm", "must be above low, -10 10 1 mm, in each coordinate"),
             ("low: -10 10 1 mm, ", "", "feeds.chute needs either the keys 'low' and 'high' or 'centre' and 'radius'"),
             ("low: -10 10 1 mm", "low: 9 14 7 mm", "feeds.chute: its region has no room for a sphere of"),

@@ -82,12 +82,15 @@ static void a_feed_gives_its_number_into_an_empty_box(void)
 
 static void a_feed_by_mass_gives_its_mass_and_its_sizes(void)
 {
+    double given, asked;
     qn_def def = def_of_hopper(0.05, true);
     def.feeds[0].stop = 0.06;
     qn_world *w = world_of(def, 1);
     CHECK_STATUS(take_steps(w, 14000));
     double wanted = 0.05 * 0.058, mass = qn_flow_mass(w, w->flow->fed);
     CHECK_NEAR(mass, wanted, 0.51 * w->classes[2].mass);
+    CHECK(!qn_flow_is_short(w, 0, &given, &asked));
+    CHECK_NEAR(asked, wanted, 1e-12);
     double n = (double)w->count, variance = 0;
     const double fraction[] = {0.5, 0.3, 0.2};
     for (int s = 0; s < 3; s++) {
@@ -155,6 +158,7 @@ static void what_a_disc_feeds_lies_scattered_in_it(void)
 
 static void what_finds_no_room_waits(void)
 {
+    double given, asked;
     qn_def def = def_of_hopper(1e6, false);
     qn_world *w = world_of(def, 1);
     for (int i = 0; i < 3000; i++) {
@@ -176,6 +180,9 @@ static void what_finds_no_room_waits(void)
         }
     }
     CHECK(w->count > 50 && w->count < 1000);
+    CHECK(qn_flow_is_short(w, 0, &given, &asked));
+    CHECK(given == (double)w->count);
+    CHECK_NEAR(asked, 1e6 * (3000 * w->dt - 2e-3), 1e-6 * asked);
     CHECK(w->ledger.deepest < 0.1);
     qn_world_destroy(w);
 }
@@ -366,6 +373,10 @@ static void a_region_with_no_or_far_too_much_room_is_said(void)
     def.feeds[0].high = qn_v3(1e6, 1e6, 1e6);
     CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
     CHECK(strstr(qn_error(), "feeds.chute: its region has more than 1000000 places"));
+    def = def_of_hopper(10, false);
+    def.feeds[0].low.y = -0.007, def.feeds[0].high.y = 0;
+    CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
+    CHECK(strstr(qn_error(), "feeds.chute: its region has no room within the walls"));
     def = def_of_hopper(10, false);
     def.feeds[0].is_disc = true;
     def.feeds[0].normal = qn_v3(0, 1, 0);
