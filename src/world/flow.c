@@ -91,16 +91,16 @@ static double end_of_run(const qn_world *w)
     return w->def.end.value * (w->def.end.unit == QN_STEPS ? w->dt : 1);
 }
 
-// Spheres a feed gives until the end of the run.
-static double expected(const qn_world *w, int feed)
+void qn_flow_expected(const qn_world *w, int feed, double *spheres, double *mass)
 {
     const qn_feed_def *def = &w->def.feeds[feed];
     const qn_group_def *g = &w->def.groups[def->group];
-    double mass = 0;
+    double each = 0, asked = qn_flow_asked(w, feed, end_of_run(w));
     for (int s = 0; s < g->size_count; s++)
-        mass += g->fraction[s] * qn_ball_volume(g->diameter[s] / 2)
+        each += g->fraction[s] * qn_ball_volume(g->diameter[s] / 2)
                 * w->def.materials[g->material].density;
-    return qn_min(1e9, qn_flow_asked(w, feed, end_of_run(w)) / (def->by_mass ? mass : 1));
+    *spheres = def->by_mass ? asked / each : asked;
+    *mass = def->by_mass ? asked : asked * each;
 }
 
 // Whether the walls of a moment leave a feed room. A sphere may lie sqrt(3) cells from its site, and the
@@ -169,7 +169,9 @@ qn_status qn_flow_create(qn_world *w)
         f->feed_count++;
         QN_TRY(feed_create(w, &w->def.feeds[k], &f->feeds[k]));
         QN_TRY(check_room(w, k));
-        most += expected(w, k);
+        double spheres, mass;
+        qn_flow_expected(w, k, &spheres, &mass);
+        most += qn_min(1e9, spheres);
     }
     f->most = (int64_t)most;
     double speed = qn_timestep_of(&w->def, w->classes, classes).impact_speed;

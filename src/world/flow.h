@@ -48,6 +48,9 @@ double qn_flow_mass(const qn_world *world, const int64_t *by_class);
 /// What a feed should give until time t (s), by its rate: kg or particles.
 double qn_flow_asked(const qn_world *world, int feed, double t);
 
+/// What a feed gives in the whole run if its places are never full: spheres, about, and their mass (kg).
+void qn_flow_expected(const qn_world *world, int feed, double *spheres, double *mass);
+
 /// Whether a feed has given less than asked until now, by more than its next sphere and what falls due
 /// between two occasions: its places were full. Both in kg or particles, as its rate is.
 bool qn_flow_is_short(const qn_world *world, int feed, double *given, double *asked);
@@ -56,7 +59,7 @@ bool qn_flow_is_short(const qn_world *world, int feed, double *given, double *as
 double qn_flow_total_count(const qn_world *world, int which);
 double qn_flow_total_mass(const qn_world *world, int which);
 
-/// Particles (1) there may be at most, those of now without feeds: for the size of sums.
+/// Particles (1) there may be at most, those of now without feeds: for the size of sums and of a run.
 int64_t qn_flow_most(const qn_world *world);
 
 /// What must survive a checkpoint, as columns that point into the flow. Returns how many.

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Particles that come and go while running: amounts, energy, and going on after a stop."""
+import json
+
 from common import INPUT, MILL, changed, check_same_recordings, main, quern, run, summary, test, write
 
 # A mill with a screen as its end and a chute that feeds rock; balls are too large for the screen.
@@ -52,6 +54,20 @@ def resumed():
     # and what the run understood is itself a scene that runs the same
     run("whole/resolved.yaml", "again").expect(0)
     assert summary("again")["outlets"] == summary("whole")["outlets"]
+
+
+@test("check lists feeds and outlets, and the run's cost counts what will come")
+def checked():
+    done = quern("check", write("mill.yaml", SCENE)).expect(0)
+    assert "feed chute           9000 1/s from 0 s on: about 225 spheres, " in done.out, done.out
+    assert "outlet screen        takes what is smaller than 1.9 mm" in done.out, done.out
+    some = json.loads(quern("check", "--json", "mill.yaml").expect(0).out)
+    assert abs(some["feeds"]["chute"]["particles"] - 225) < 1e-6 and some["feeds"]["chute"]["rate_1_s"] == 9000
+    assert some["outlets"]["screen"]["aperture_m"] == 1.9e-3
+    scene = changed(SCENE, ("9000 1/s", "90 kg/s"), ("stop: 25 ms", "start: 5 ms, stop: 25 ms"))
+    much = json.loads(quern("check", "--json", write("much.yaml", scene)).expect(0).out)
+    assert abs(much["feeds"]["chute"]["mass_kg"] - 1.8) < 1e-9
+    assert all(much[key] > 5 * some[key] for key in ("wall_s", "disk_bytes", "memory_bytes")), (some, much)
 
 
 @test("a feed whose places are full says what it gave of what was asked")
