@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `quern check`: what a scene will do, before a single step is done.
 #include "cli/cli.h"
+#include "cli/flow.h"
 #include "cli/sizes.h"
 #include "cli/warnings.h"
 
@@ -151,6 +152,7 @@ static qn_status print_json(const qn_world *w, const qn_forecast *f)
     for (int i = 0; i < w->class_count; i++)
         if (is_first(w, i)) put_clump(&j, w, &w->classes[i]);
     qn_json_close(&j);
+    cli_flow_put(&j, w);
     cli_sizes_put(&j, w);
     char *text;
     QN_TRY(qn_json_end(&j, &text));
@@ -224,6 +226,7 @@ static void print_report(const qn_world *w, const qn_forecast *f)
     printf("%-20s %lld, %.6g kg\n", "particles", (long long)f->particles, f->mass);
     for (int i = 0; i < w->class_count; i++)
         if (is_first(w, i)) print_clump(w, &w->classes[i]);
+    cli_flow_print(w);
     if (w->def.drum.present) {
         double percent = f->critical_speed > 0 ? 100 * f->speed / f->critical_speed : 0;
         printf("%-20s %.1f %% of the drum, as a bed of solidity %.2f\n", "filling",

@@ -9,6 +9,7 @@
 #include "scene/units.h"
 #include "step/step.h"
 #include "world/classes.h"
+#include "world/flow.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -268,6 +269,24 @@ static void warn_at_start(run *r)
     }
 }
 
+// Feeds that could not give all that they were asked for.
+static void warn_of_short_feeds(run *r)
+{
+    const qn_world *w = r->world;
+    for (int k = 0; k < w->def.feed_count; k++) {
+        const qn_feed_def *feed = &w->def.feeds[k];
+        double given, asked;
+        char line[256], unit[8] = "";
+        if (!qn_flow_is_short(w, k, &given, &asked)) continue;
+        if (feed->by_mass) snprintf(unit, sizeof unit, asked < 1 ? " g" : " kg");
+        double scale = feed->by_mass && asked < 1 ? 1e3 : 1;
+        snprintf(line, sizeof line, "feed %s gave %.4g%s of the %.4g%s asked: its places were full",
+                 feed->name, scale * given, unit, scale * asked, unit);
+        qn_recorder_log(&r->recorder, "%s", line);
+        if (!r->progress.quiet) fprintf(stderr, "%s\n", line);
+    }
+}
+
 // The result in a line or two; the rest is in summary.json.
 static void print_result(const run *r)
 {
@@ -350,6 +369,7 @@ int cli_run(int argc, char **argv)
     sigaction(SIGTERM, &action, NULL);
     status = prepare(&r, &o);
     if (status == QN_OK) status = record(&r, &o);
+    if (status == QN_OK) warn_of_short_feeds(&r);
     if (status == QN_OK && !o.quiet) print_result(&r);
     if (status != QN_OK) fprintf(stderr, "quern run: %s\n", qn_error());
     char folder[QN_FILE_NAME_MAX];

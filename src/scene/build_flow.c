@@ -87,6 +87,8 @@ static void read_feed(qn_reader *r, const qn_node *node)
     f->velocity = qn_vector_of(&k.velocity);
     f->start = k.start.number;
     f->stop = k.stop.is_word ? (double)INFINITY : k.stop.number;
+    if (k.start.set && k.stop.set && !(f->stop > f->start))
+        qn_complain(r, &k.stop, "must be after start, %s", k.start.text);
     if (f->is_disc) f->normal = direction_of(r, &k.normal);
     r->def->feed_count++;
 }

@@ -217,7 +217,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(classes,            WHOLE,   PURE,         "[1, 64]",   "",                 "12",             FIXED, "equal steps of ln d between min and max, each with one diameter that keeps its number and mass")
 
 #define QN_FEED_KEYS(K)                                                                                                             \
-    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group whose material, sizes, padding and spin it gives") \
+    K(particles,          TEXT,    PURE,         "",          "",                 REQUIRED,         FIXED, "group of balls, not clumps, whose material, sizes, padding and spin it gives, at places drawn by the seed") \
     K(rate,               NUMBER,  FEED_RATE,    "]0, inf[",  "",                 REQUIRED,         FIXED, "by mass or by number")          \
     K(low,                VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "corner of a box in which particles appear") \
     K(high,               VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "opposite corner")               \
@@ -234,7 +234,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(point,              VECTOR,  LENGTH,       "",          "",                 "",               FIXED, "of a plane, instead of a box; what has its centre beyond it leaves") \
     K(normal,             VECTOR,  PURE,         "",          "",                 "",               FIXED, "of the plane, the way out")     \
     K(radius,             NUMBER,  LENGTH,       "]0, inf[",  "all",              "all",            FIXED, "of the open part of the plane, about its point") \
-    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it")
+    K(aperture,           NUMBER,  LENGTH,       "]0, inf[",  "none",             "none",           FIXED, "of a screen in the plane: what is smaller leaves when it touches it; it neither opens nor draws a wall: put it in the surface of one, which holds back what is larger")
 
 #define QN_MEASURE_KEYS(K)                                                                                                          \
     K(series,             NUMBER,  SPAN,         "]0, inf[",  "",                 "1 ms",           FREE,  "between rows of the time series") \

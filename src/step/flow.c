@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STREAM_SIZE = 1 << 16, STREAM_ORDER = 1 << 17 };  // and the number of the feed
+// Streams of random numbers, with the number of the feed added.
+enum { STREAM_SIZE = 1 << 16, STREAM_ORDER = 1 << 17, STREAM_PLACE = 3 << 16 };
 
 // Quantum (J) of the sums over particles that come or go, which must not depend on the order: 2^59 of the
 // energy unit are 256 times what all contacts of a bed hold at their deepest (classes.c).
@@ -83,17 +84,17 @@ static bool is_due(const qn_world *w, int feed, int klass)
 {
     const qn_feed_def *def = &w->def.feeds[feed];
     const int64_t *fed = w->flow->fed + (int64_t)feed * w->class_count;
-    double time = qn_min(qn_world_time(w), def->stop) - def->start;
-    if (!(time > 0)) return false;
-    if (!def->by_mass) return (double)(qn_flow_count(w, fed) + 1) <= def->rate * time;
-    return qn_flow_mass(w, fed) + 0.5 * w->classes[klass].mass <= def->rate * time;
+    double asked = qn_flow_asked(w, feed, qn_world_time(w));
+    if (!(asked > 0)) return false;
+    if (!def->by_mass) return (double)(qn_flow_count(w, fed) + 1) <= asked;
+    return qn_flow_mass(w, fed) + 0.5 * w->classes[klass].mass <= asked;
 }
 
 // The space around a feed's sites, with the spheres in it that stay.
 static qn_status occupy(const qn_world *w, const qn_feed *feed, double largest, qn_occupied *o)
 {
     qn_vec3 low = feed->sites[0], high = low;
-    double reach = largest + w->largest_radius;
+    double reach = 2 * largest + w->largest_radius;  // as displaced() leaves a site by `largest`
     for (int k = 1; k < feed->site_count; k++) {
         const qn_vec3 *s = &feed->sites[k];
         low = qn_v3(qn_min(low.x, s->x), qn_min(low.y, s->y), qn_min(low.z, s->z));
@@ -136,12 +137,56 @@ static qn_status take_in(qn_world *w, int number, qn_vec3 site, int klass, intak
     return QN_OK;
 }
 
+// A coordinate mirrored at the ends of a range, so that it stays evenly spread within.
+static double mirrored(double x, double low, double high)
+{
+    x = x < low ? 2 * low - x : x > high ? 2 * high - x : x;
+    return qn_max(low, qn_min(x, high));
+}
+
+// A site moved by an offset, its sphere with its padding (radius in m) still within the feed's region.
+static qn_vec3 displaced(const qn_feed_def *def, double radius, qn_vec3 site, qn_vec3 offset)
+{
+    qn_vec3 x = qn_add(site, offset), low = def->low, high = def->high;
+    if (!def->is_disc)
+        return qn_v3(
+            mirrored(x.x, qn_min(low.x + radius, site.x), qn_max(high.x - radius, site.x)),
+            mirrored(x.y, qn_min(low.y + radius, site.y), qn_max(high.y - radius, site.y)),
+            mirrored(x.z, qn_min(low.z + radius, site.z), qn_max(high.z - radius, site.z)));
+    qn_vec3 aside = qn_sub(x, def->centre);
+    aside = qn_madd(aside, -qn_dot(aside, def->normal), def->normal);
+    double far = qn_norm(aside), most = qn_max(0, def->radius - radius);
+    return qn_madd(def->centre, far > most ? most / far : 1, aside);
+}
+
+// Finds a free place for a sphere at a site: anywhere in the site's cell, so that spheres do not come in
+// columns, or, where others are in the way, within the padding. False where there is none.
+static bool find_place(const qn_world *w, int number, const qn_occupied *o, const qn_pose *pose,
+                       uint64_t draw, double radius, qn_vec3 *site)
+{
+    const qn_feed_def *def = &w->def.feeds[number];
+    double padding = w->def.groups[def->group].padding, cell = w->flow->feeds[number].radius, u[3];
+    uint64_t stream = STREAM_PLACE + (uint64_t)number;
+    for (uint64_t i = 0; i < 3; i++) u[i] = 2 * qn_random(w->def.seed, stream, 3 * draw + i) - 1;
+    // Within the padding p r, two neighbours may each move by p r/2; u is up to sqrt(3) long.
+    const double reach[] = {cell, 0.25 * cell * padding / (1 + padding)};
+    for (int k = 0; k < 2; k++) {
+        qn_vec3 offset = qn_scale(reach[k], qn_v3(u[0], u[1], u[2]));
+        qn_vec3 x = displaced(def, cell, *site, offset);
+        if (w->period > 0) x.z -= floor(x.z / w->period) * w->period;
+        if (!qn_occupied_is_free(o, x, radius * (1 + padding))) continue;
+        if (!(qn_walls_clearance(&w->walls, pose, x) >= radius)) continue;
+        *site = x;
+        return true;
+    }
+    return false;
+}
+
 // Sites in a random order, each tried for the sphere that is next; a sphere without room waits, and those
 // behind it too.
 static qn_status fill(qn_world *w, int number, qn_occupied *o, intake *in)
 {
     const qn_feed *feed = &w->flow->feeds[number];
-    const qn_group_def *g = &w->def.groups[w->def.feeds[number].group];
     const int64_t *fed = w->flow->fed + (int64_t)number * w->class_count;
     qn_pose pose = qn_walls_pose(&w->walls, qn_world_time(w));
     uint64_t stream = STREAM_ORDER + (uint64_t)number;
@@ -150,11 +195,9 @@ static qn_status fill(qn_world *w, int number, qn_occupied *o, intake *in)
     for (int k = 0; k < feed->site_count; k++) {
         qn_vec3 site = feed->sites[(first + k) % feed->site_count];
         int klass = draw(w, number, qn_flow_count(w, fed));
-        double radius = w->classes[klass].radius, padded = radius * (1 + g->padding);
+        double radius = w->classes[klass].radius;
         if (!is_due(w, number, klass)) break;
-        if (w->period > 0) site.z -= floor(site.z / w->period) * w->period;
-        if (!qn_occupied_is_free(o, site, padded)) continue;
-        if (!(qn_walls_clearance(&w->walls, &pose, site) >= radius)) continue;
+        if (!find_place(w, number, o, &pose, turn + (uint64_t)k, radius, &site)) continue;
         QN_TRY(qn_occupied_add(o, site, radius));
         QN_TRY(take_in(w, number, site, klass, in));
     }
@@ -165,14 +208,10 @@ static qn_status feed_one(qn_world *w, int number, intake *in)
 {
     const qn_feed *feed = &w->flow->feeds[number];
     const int64_t *fed = w->flow->fed + (int64_t)number * w->class_count;
-    const qn_group_def *g = &w->def.groups[w->def.feeds[number].group];
-    double largest = 0;
     if (w->step % feed->stride != 0) return QN_OK;
     if (!is_due(w, number, draw(w, number, qn_flow_count(w, fed)))) return QN_OK;
-    for (int s = 0; s < g->size_count; s++)
-        largest = qn_max(largest, g->diameter[s] / 2 * (1 + g->padding));
     qn_occupied o;
-    qn_status status = occupy(w, feed, largest, &o);
+    qn_status status = occupy(w, feed, feed->radius, &o);
     for (int k = 0; k < in->count && status == QN_OK; k++)
         status = qn_occupied_add(&o, in->fresh[k].position, w->classes[in->fresh[k].klass].radius);
     if (status == QN_OK) status = fill(w, number, &o, in);

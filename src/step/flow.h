@@ -4,7 +4,8 @@
 // An outlet looks at step n, when velocities of n are at hand, and books what leaves with all its energy,
 // that of its contacts included; it is gone from step n + 1 on. A feed acts at step n + 1, on the places
 // of its region that are free then; what finds none waits. Both look every so many steps, counted from
-// step 0, so that a resumed run does the same. Sizes are drawn by the seed and the number of the particle.
+// step 0, so that a resumed run does the same. Sizes are drawn by the seed and the number of the particle,
+// places within a region by the seed and the step.
 #ifndef QN_STEP_FLOW_H
 #define QN_STEP_FLOW_H
 

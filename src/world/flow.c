@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-enum { SITES_MAX = 1000000 };  // of one feed
+enum { SITES_MAX = 1000000, MOMENTS = 16 };  // of one feed
 
 #define QUARTER 0.25  // 1   of the smallest radius: what the fastest may move between two looks
 
@@ -74,6 +74,7 @@ static qn_status feed_create(const qn_world *w, const qn_feed_def *def, qn_feed 
     double largest = 0;
     for (int s = 0; s < g->size_count; s++) largest = qn_max(largest, g->diameter[s]);
     double radius = largest / 2 * (1 + g->padding);
+    feed->radius = radius;
     for (int k = 0; k < def->group; k++) feed->first_class += w->def.groups[k].size_count;
     feed->stride = occasions(w, def, largest);
     QN_TRY(def->is_disc ? fill_disc(feed, def, radius) : fill_box(feed, def, radius));
@@ -83,18 +84,55 @@ static qn_status feed_create(const qn_world *w, const qn_feed_def *def, qn_feed 
                    def->name, largest);
 }
 
-// Spheres a feed gives until the end of the run.
-static double expected(const qn_world *w, const qn_feed_def *def)
+static double end_of_run(const qn_world *w)
 {
-    const qn_group_def *g = &w->def.groups[def->group];
-    double end = w->def.end.value * (w->def.end.unit == QN_STEPS ? w->dt : 1), mass = 0;
     if (w->def.end.unit == QN_REVOLUTIONS)
-        end = qn_drum_time(&w->def.drum, 2 * QN_PI * w->def.end.value);
+        return qn_drum_time(&w->def.drum, 2 * QN_PI * w->def.end.value);
+    return w->def.end.value * (w->def.end.unit == QN_STEPS ? w->dt : 1);
+}
+
+void qn_flow_expected(const qn_world *w, int feed, double *spheres, double *mass)
+{
+    const qn_feed_def *def = &w->def.feeds[feed];
+    const qn_group_def *g = &w->def.groups[def->group];
+    double each = 0, asked = qn_flow_asked(w, feed, end_of_run(w));
     for (int s = 0; s < g->size_count; s++)
-        mass += g->fraction[s] * qn_ball_volume(g->diameter[s] / 2)
+        each += g->fraction[s] * qn_ball_volume(g->diameter[s] / 2)
                 * w->def.materials[g->material].density;
-    double time = qn_max(0, qn_min(end, def->stop) - def->start);
-    return qn_min(1e9, def->rate / (def->by_mass ? mass : 1) * time);
+    *spheres = def->by_mass ? asked / each : asked;
+    *mass = def->by_mass ? asked : asked * each;
+}
+
+// Whether the walls of a moment leave a feed room. A sphere may lie sqrt(3) cells from its site, and the
+// clearance changes by no more than that on the way.
+static bool has_room(const qn_world *w, const qn_feed *feed, double smallest, double t)
+{
+    qn_pose pose = qn_walls_pose(&w->walls, t);
+    double least = smallest - sqrt(3.0) * feed->radius;
+    for (int k = 0; k < feed->site_count; k++) {
+        qn_vec3 site = feed->sites[k];
+        if (w->period > 0) site.z -= floor(site.z / w->period) * w->period;
+        if (qn_walls_clearance(&w->walls, &pose, site) >= least) return true;
+    }
+    return false;
+}
+
+// Walls that move are looked at now and then while the feed is open.
+static qn_status check_room(const qn_world *w, int number)
+{
+    const qn_feed_def *def = &w->def.feeds[number];
+    const qn_group_def *g = &w->def.groups[def->group];
+    int moments = w->walls.body_count > 1 ? MOMENTS : 1;
+    double open = qn_min(def->stop, end_of_run(w)) - def->start, smallest = g->diameter[0] / 2;
+    for (int s = 1; s < g->size_count; s++) smallest = qn_min(smallest, g->diameter[s] / 2);
+    if (!isfinite(open) || open < 0) open = 0;
+    for (int m = 0; m < moments; m++)
+        if (has_room(w, &w->flow->feeds[number], smallest, def->start + open * m / moments))
+            return QN_OK;
+    return qn_fail(QN_INPUT,
+                   "feeds.%s: its region has no room within the walls for a sphere of %g m; they "
+                   "are in its way, or it lies outside of them",
+                   def->name, 2 * smallest);
 }
 
 // Clumps stay: a body would have to come or go with all its spheres.
@@ -130,7 +168,10 @@ qn_status qn_flow_create(qn_world *w)
     for (int k = 0; k < w->def.feed_count; k++) {
         f->feed_count++;
         QN_TRY(feed_create(w, &w->def.feeds[k], &f->feeds[k]));
-        most += expected(w, &w->def.feeds[k]);
+        QN_TRY(check_room(w, k));
+        double spheres, mass;
+        qn_flow_expected(w, k, &spheres, &mass);
+        most += qn_min(1e9, spheres);
     }
     f->most = (int64_t)most;
     double speed = qn_timestep_of(&w->def, w->classes, classes).impact_speed;
@@ -187,6 +228,26 @@ double qn_flow_total_mass(const qn_world *w, int which)
     for (int k = 0; f && k < (which ? f->outlet_count : f->feed_count); k++)
         sum += qn_flow_mass(w, (which ? f->taken : f->fed) + k * f->class_count);
     return sum;
+}
+
+double qn_flow_asked(const qn_world *w, int feed, double t)
+{
+    const qn_feed_def *def = &w->def.feeds[feed];
+    return def->rate * qn_max(0, qn_min(t, def->stop) - def->start);
+}
+
+bool qn_flow_is_short(const qn_world *w, int feed, double *given, double *asked)
+{
+    const qn_feed_def *def = &w->def.feeds[feed];
+    const qn_group_def *g = &w->def.groups[def->group];
+    const qn_feed *f = &w->flow->feeds[feed];
+    const int64_t *fed = w->flow->fed + feed * w->flow->class_count;
+    double sphere = def->by_mass ? 0 : 1;
+    for (int s = 0; s < g->size_count && def->by_mass; s++)
+        sphere = qn_max(sphere, w->classes[f->first_class + s].mass);
+    *asked = qn_flow_asked(w, feed, qn_world_time(w));
+    *given = def->by_mass ? qn_flow_mass(w, fed) : (double)qn_flow_count(w, fed);
+    return *asked - *given > sphere + def->rate * (double)f->stride * w->dt;
 }
 
 int64_t qn_flow_most(const qn_world *w)

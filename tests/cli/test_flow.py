@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Particles that come and go while running: amounts, energy, and going on after a stop."""
+import json
+
 from common import INPUT, MILL, changed, check_same_recordings, main, quern, run, summary, test, write
 
 # A mill with a screen as its end and a chute that feeds rock; balls are too large for the screen.
@@ -54,6 +56,31 @@ def resumed():
     assert summary("again")["outlets"] == summary("whole")["outlets"]
 
 
+@test("check lists feeds and outlets, and the run's cost counts what will come")
+def checked():
+    done = quern("check", write("mill.yaml", SCENE)).expect(0)
+    assert "feed chute           9000 1/s from 0 s on: about 225 spheres, " in done.out, done.out
+    assert "outlet screen        takes what is smaller than 1.9 mm" in done.out, done.out
+    some = json.loads(quern("check", "--json", "mill.yaml").expect(0).out)
+    assert abs(some["feeds"]["chute"]["particles"] - 225) < 1e-6 and some["feeds"]["chute"]["rate_1_s"] == 9000
+    assert some["outlets"]["screen"]["aperture_m"] == 1.9e-3
+    scene = changed(SCENE, ("9000 1/s", "90 kg/s"), ("stop: 25 ms", "start: 5 ms, stop: 25 ms"))
+    much = json.loads(quern("check", "--json", write("much.yaml", scene)).expect(0).out)
+    assert abs(much["feeds"]["chute"]["mass_kg"] - 1.8) < 1e-9
+    assert all(much[key] > 5 * some[key] for key in ("wall_s", "disk_bytes", "memory_bytes")), (some, much)
+
+
+@test("a feed whose places are full says what it gave of what was asked")
+def short():
+    for rate, sentence in (("1 kg/s", " g of the 8 g asked"), ("2e6 1/s", " of the 1.6e+04 asked")):
+        scene = write("mill.yaml", changed(SCENE, ("9000 1/s", rate), ("3000 steps", "800 steps")))
+        done = quern("run", scene, "-o", "out", "--force", "--threads", 1).expect(0, sentence + ": its places were full")
+        line = next(line for line in done.err.splitlines() if line.startswith("feed chute gave"))
+        assert line in open("out/log.txt").read(), line
+    scene = write("mill.yaml", changed(SCENE, ("3000 steps", "1500 steps")))
+    assert "asked" not in quern("run", scene, "-o", "well", "--threads", 1).expect(0).err
+
+
 @test("a world may begin empty")
 def empty():
     scene = changed(SCENE, ("  balls: {material: ball, diameter: 2.5 mm, filling: 30 %, jitter: 50 %}\n", ""),
@@ -84,6 +111,9 @@ def wrong():
             ("particles: rock, rate", "particles: rocks, rate",
              "feeds.chute.particles = rocks is not a group of particles; did you mean 'rock'?"),
             ("9000 1/s", "9000 kg", "feeds.chute.rate = 9000 kg should be a mass by time or a frequency"),
+            ("stop: 25 ms", "start: 25 ms, stop: 20 ms", "feeds.chute.stop = 20 ms must be after start, 25 ms"),
+            ("low: -10 10 1 mm, high: 10 15 8 mm", "low: -10 40 1 mm, high: 10 45 8 mm",
+             "feeds.chute: its region has no room within the walls for a sphere of"),
             ("high: 10 15 8 mm", "high: 10 9 8 mm", "must be above low, -10 10 1 mm, in each coordinate"),
             ("low: -10 10 1 mm, ", "", "feeds.chute needs either the keys 'low' and 'high' or 'centre' and 'radius'"),
             ("low: -10 10 1 mm", "low: 9 14 7 mm", "feeds.chute: its region has no room for a sphere of"),

@@ -82,12 +82,15 @@ static void a_feed_gives_its_number_into_an_empty_box(void)
 
 static void a_feed_by_mass_gives_its_mass_and_its_sizes(void)
 {
+    double given, asked;
     qn_def def = def_of_hopper(0.05, true);
     def.feeds[0].stop = 0.06;
     qn_world *w = world_of(def, 1);
     CHECK_STATUS(take_steps(w, 14000));
     double wanted = 0.05 * 0.058, mass = qn_flow_mass(w, w->flow->fed);
     CHECK_NEAR(mass, wanted, 0.51 * w->classes[2].mass);
+    CHECK(!qn_flow_is_short(w, 0, &given, &asked));
+    CHECK_NEAR(asked, wanted, 1e-12);
     double n = (double)w->count, variance = 0;
     const double fraction[] = {0.5, 0.3, 0.2};
     for (int s = 0; s < 3; s++) {
@@ -98,8 +101,64 @@ static void a_feed_by_mass_gives_its_mass_and_its_sizes(void)
     qn_world_destroy(w);
 }
 
+// Spheres of one size, as many as there is room for, at the feed's first occasion.
+static qn_world *world_at_first_intake(bool is_disc)
+{
+    qn_def def = def_of_hopper(1e9, false);
+    def.groups[0].size_count = 1;
+    def.groups[0].fraction[0] = 1;
+    if (is_disc) {
+        def.feeds[0].is_disc = true;
+        def.feeds[0].centre = qn_v3(0.012, 0.02, 0.012);
+        def.feeds[0].normal = qn_v3(0, 1, 0);
+        def.feeds[0].radius = 0.009;
+    }
+    qn_world *w = world_of(def, 1);
+    for (int i = 0; i < 2000 && w->count == 0; i++)
+        if (take_steps(w, 1) != QN_OK) break;
+    return w;
+}
+
+static void what_a_box_feeds_fills_it_well_but_stands_in_no_columns(void)
+{
+    qn_world *w = world_at_first_intake(false);
+    const qn_feed_def *f = &w->def.feeds[0];
+    double radius = w->classes[0].radius, step = 1e-3 * radius;
+    CHECK(w->count > 0.5 * w->flow->feeds[0].site_count);
+    int above = 0;
+    for (int i = 0; i < w->count; i++) {
+        qn_vec3 x = qn_world_position(w, i);
+        CHECK(x.x >= f->low.x + radius && x.x <= f->high.x - radius);
+        CHECK(x.y >= f->low.y + radius - step && x.y <= f->high.y - radius);
+        CHECK(x.z >= f->low.z + radius && x.z <= f->high.z - radius);
+        for (int j = 0; j < i; j++) {
+            qn_vec3 y = qn_world_position(w, j);
+            above += fabs(x.x - y.x) < step && fabs(x.z - y.z) < step;
+        }
+    }
+    CHECK(above == 0);
+    qn_world_destroy(w);
+}
+
+static void what_a_disc_feeds_lies_scattered_in_it(void)
+{
+    qn_world *w = world_at_first_intake(true);
+    double radius = w->classes[0].radius;
+    int off = 0;
+    CHECK(w->count > 0.5 * w->flow->feeds[0].site_count);
+    for (int i = 0; i < w->count; i++) {
+        qn_vec3 d = qn_sub(qn_world_position(w, i), w->def.feeds[0].centre);
+        CHECK(fabs(d.y) < 1e-4 && hypot(d.x, d.z) <= 0.009 - radius + 1e-6);
+        double cells = d.x / (2 * radius * 1.02);
+        off += fabs(cells - nearbyint(cells)) > 0.02;
+    }
+    CHECK(off > w->count / 4);
+    qn_world_destroy(w);
+}
+
 static void what_finds_no_room_waits(void)
 {
+    double given, asked;
     qn_def def = def_of_hopper(1e6, false);
     qn_world *w = world_of(def, 1);
     for (int i = 0; i < 3000; i++) {
@@ -121,6 +180,9 @@ static void what_finds_no_room_waits(void)
         }
     }
     CHECK(w->count > 50 && w->count < 1000);
+    CHECK(qn_flow_is_short(w, 0, &given, &asked));
+    CHECK(given == (double)w->count);
+    CHECK_NEAR(asked, 1e6 * (3000 * w->dt - 2e-3), 1e-6 * asked);
     CHECK(w->ledger.deepest < 0.1);
     qn_world_destroy(w);
 }
@@ -312,6 +374,10 @@ static void a_region_with_no_or_far_too_much_room_is_said(void)
     CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
     CHECK(strstr(qn_error(), "feeds.chute: its region has more than 1000000 places"));
     def = def_of_hopper(10, false);
+    def.feeds[0].low.y = -0.007, def.feeds[0].high.y = 0;
+    CHECK(qn_world_create(&def, 1, &w) == QN_INPUT);
+    CHECK(strstr(qn_error(), "feeds.chute: its region has no room within the walls"));
+    def = def_of_hopper(10, false);
     def.feeds[0].is_disc = true;
     def.feeds[0].normal = qn_v3(0, 1, 0);
     def.feeds[0].radius = 1e6;
@@ -323,6 +389,8 @@ int main(int argc, char **argv)
 {
     TEST(a_feed_gives_its_number_into_an_empty_box);
     TEST(a_feed_by_mass_gives_its_mass_and_its_sizes);
+    TEST(what_a_box_feeds_fills_it_well_but_stands_in_no_columns);
+    TEST(what_a_disc_feeds_lies_scattered_in_it);
     TEST(what_finds_no_room_waits);
     TEST(a_screen_lets_only_the_smaller_pass_and_the_energy_adds_up);
     TEST(what_leaves_a_bed_takes_the_energy_of_its_contacts);
