@@ -96,6 +96,19 @@ class MillFigure:
         bar = self.figure.colorbar(picture, cax=self.bars[index], label=label, **options)
         bar.outline.set_linewidth(0.5)
         bar.ax.tick_params(direction="out", width=0.5, right=True)
+        self._make_room(bar.ax)
+
+    def _make_room(self, bar):
+        """Widens the page for a bar at its right edge whose numbers are long."""
+        wide, high = self.figure.get_size_inches()
+        words = bar.yaxis.get_tightbbox(self.figure.canvas.get_renderer())
+        more = words.x1 / self.figure.dpi + 0.03 - wide  # inches
+        if more <= 0:
+            return
+        places = [(axes, axes.get_position(original=True).bounds) for axes in self.figure.axes]
+        self.figure.set_size_inches(wide + more, high)
+        for axes, (x, y, width, height) in places:
+            axes.set_position((x * wide / (wide + more), y, width * wide / (wide + more), height))
 
 
 def hide_inner_labels(panels, rows, columns):

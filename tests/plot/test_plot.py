@@ -5,7 +5,9 @@
 
 With the path of the program, `quern plot` itself is tried too; with a name, only tests like it.
 """
+import contextlib
 import filecmp
+import json
 import os
 import shutil
 import subprocess
@@ -23,6 +25,8 @@ import fake_run  # noqa: E402
 import h5py  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.axis import Axis  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
 
 from figures import energy, figure_list, liner, paths, power, ring, scenery, traces  # noqa: E402
 from figures.folder import NotRun, Run  # noqa: E402
@@ -57,6 +61,31 @@ def draw_all(folder, pictures):
         except NotRecorded:
             skipped.append(name)
     return [os.path.basename(path) for path in gallery.written], skipped
+
+
+class Proof:
+    """In place of a gallery: keeps, by name, how far words reach beyond the page (inches), and the
+    words of the legends."""
+
+    def __init__(self):
+        self.over, self.legends = {}, {}
+
+    def save(self, figure, name):
+        figure.draw_without_rendering()
+        pen, page = figure.canvas.get_renderer(), figure.get_size_inches()
+        words = [text for text in figure.texts if text.get_text()]
+        for axes in figure.axes:
+            if axes.get_visible():
+                words += [part for part in axes.get_children() if isinstance(part, (Axis, Text))]
+            legend = axes.get_legend()
+            if legend:
+                words.append(legend)
+                self.legends[name] = [text.get_text() for text in (legend.get_title(),
+                                                                   *legend.get_texts())]
+        boxes = [box for box in (one.get_tightbbox(pen) for one in words) if box and box.width > 0]
+        ends = np.array([box.extents for box in boxes]) / figure.dpi
+        self.over[name] = max(-ends[:, :2].min(), *(ends[:, 2:].max(axis=0) - page))
+        plt.close(figure)
 
 
 def script(*arguments, python=("/usr/bin/python3",)):
@@ -104,6 +133,38 @@ class Folders(unittest.TestCase):
             for name in names:
                 self.assertTrue(filecmp.cmp(os.path.join(first, name), os.path.join(second, name),
                                             shallow=False), name)
+
+    def test_nothing_runs_off_the_page(self):
+        unsteady = self.copy_of(self.mill)
+        with open(os.path.join(unsteady, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"speed_rad_s": fake_run.SPEED, "power_torque_w": 1.4032, "steady": False,
+                       "power_stderr_w": 0.031, "power_drift_w": -17.3}, file)
+        slow = self.copy_of(self.mill)
+        with h5py.File(os.path.join(slow, "frames", "frame_000042.hdf"), "a") as file:
+            speed = file["VTKHDF/PointData/speed"]
+            speed[:] = 0.014 * speed[:] / np.max(speed[:])
+        figures = dict(figure_list())
+        for folder, names in ((self.mill, figures), (unsteady, ["power"]), (slow, ["particles"]),
+                              (self.drop, figures)):
+            proof = Proof()
+            for name in names:
+                with contextlib.suppress(NotRecorded):
+                    figures[name](Run(folder), proof)
+            over = {name: inches for name, inches in proof.over.items() if inches > 0.005}
+            with self.subTest(folder):
+                self.assertGreater(len(proof.over), 0)
+                self.assertEqual(over, {})
+
+    def test_the_legend_of_the_power_tells_what_is_drawn(self):
+        folder = self.copy_of(self.mill)
+        for name, told in (("", "grey: window of the mean"), ("summary.json", "window of the fields"),
+                           ("fields.h5", "pale: each row")):
+            if name:
+                os.remove(os.path.join(folder, name))
+            proof = Proof()
+            power.power(Run(folder), proof)
+            self.assertTrue(proof.legends["power"][0].endswith(told), proof.legends["power"])
+            self.assertEqual(len(proof.legends["power"]), 3 + (name == ""))
 
     def test_any_missing_part_costs_only_its_own_pictures(self):
         lost = {"fields.h5": ("porosity maps", "velocity quivers", "component maps",
