@@ -32,7 +32,7 @@ from figures import energy, figure_list, liner, paths, power, ring, scenery, tra
 from figures.folder import NotRun, Run  # noqa: E402
 from figures.ledger import STORED, Ledger  # noqa: E402
 from figures.particles import cut_circles  # noqa: E402
-from figures.style import Gallery, round_limit  # noqa: E402
+from figures.style import Gallery, colour_limits, round_limit  # noqa: E402
 from figures.table import NotRecorded, read_table  # noqa: E402
 
 
@@ -440,6 +440,12 @@ class Parts(unittest.TestCase):
     def test_a_colour_scale_ends_at_a_round_number_above_the_data(self):
         self.assertEqual(round_limit(np.array([0.1, -1.21, np.nan]), 100), 1.5)
         self.assertEqual(round_limit(np.array([np.nan])), 1.0)
+
+    def test_a_colour_scale_of_nearly_equal_values_starts_near_them(self):
+        self.assertEqual(colour_limits(np.array([0.31, 0.014])), (0.0, 0.4))
+        np.testing.assert_allclose(colour_limits(np.array([1.9603, 1.9648])), (1.96, 1.965))
+        self.assertEqual(colour_limits(np.array([1.96, 1.960001])), (0.0, 2.0))
+        self.assertEqual(colour_limits(np.array([0.0])), (0.0, 1.0))
 
     def test_a_table_without_a_row_is_not_recorded(self):
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
