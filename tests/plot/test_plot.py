@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PLOT = os.path.join(HERE, "..", "..", "plot")
@@ -64,11 +65,11 @@ def draw_all(folder, pictures):
 
 
 class Proof:
-    """In place of a gallery: keeps, by name, how far words reach beyond the page (inches), and the
-    words of the legends."""
+    """In place of a gallery: keeps, by name, how far words reach beyond the page (inches), the last
+    legend, and the titles."""
 
     def __init__(self):
-        self.over, self.legends = {}, {}
+        self.over, self.legends, self.titles = {}, {}, {}
 
     def save(self, figure, name):
         figure.draw_without_rendering()
@@ -82,6 +83,8 @@ class Proof:
                 words.append(legend)
                 self.legends[name] = [text.get_text() for text in (legend.get_title(),
                                                                    *legend.get_texts())]
+        self.titles[name] = [axes.get_title(loc) for axes in figure.axes for loc in ("left", "center",
+                                                                                     "right")]
         boxes = [box for box in (one.get_tightbbox(pen) for one in words) if box and box.width > 0]
         ends = np.array([box.extents for box in boxes]) / figure.dpi
         self.over[name] = max(-ends[:, :2].min(), *(ends[:, 2:].max(axis=0) - page))
@@ -404,6 +407,18 @@ class Parts(unittest.TestCase):
                   "kinetic_rotation_j": np.full(3, 7.0)}
         names = [name for name, _, _ in energy.moving(Ledger(series).channels(STORED))]
         self.assertEqual(names, ["gravity"])
+
+    def test_what_feeds_bring_and_outlets_take_is_drawn_and_the_residual_has_its_sign(self):
+        series = {"time_s": np.arange(3.0), "gravity_j": np.array((0, 2, 5.0)),
+                  "brought_in_j": np.array((0, 2, 4.0)), "work_j": np.zeros(3),
+                  "taken_out_j": np.zeros(3), "residual_j": np.array((0, 0, -1.0))}
+        proof = Proof()
+        energy.energy(SimpleNamespace(series=series), proof)
+        self.assertEqual(proof.legends["energy"], ["", "work of the walls", "brought in by feeds"])
+        self.assertIn("residual at the end: −2.0e−01 of the turnover", proof.titles["energy"])
+        proof = Proof()
+        energy.energy(SimpleNamespace(series={**series, "taken_out_j": np.arange(3.0)}), proof)
+        self.assertEqual(proof.legends["energy"][-1], "taken out by outlets")
 
     def test_a_rebound_is_the_ratio_of_speeds_along_the_normal(self):
         time, n = np.arange(5.0), np.array((0.6, 0.8))
