@@ -436,6 +436,22 @@ class Parts(unittest.TestCase):
                  "partner": np.array(["floor"] * 5 + ["lid"])}
         self.assertEqual([list(rows) for rows in traces.episodes(table)], [[0, 1, 2], [5], [3, 4]])
 
+    def test_a_contact_traced_too_rarely_has_no_loop(self):
+        depth = np.sin(np.pi * np.linspace(0, 1, 21))
+        self.assertTrue(traces.resolved(depth))
+        self.assertFalse(traces.resolved(depth[::3]))
+        self.assertFalse(traces.resolved(np.tile((0.2, 1, 0.5), 20)))
+        with tempfile.TemporaryDirectory() as folder:
+            fake_run.write_bounces(folder)
+            table = read_table(os.path.join(folder, "trace_contacts.csv"))
+        for every, panels in ((1, 3), (4, 2)):
+            rare = {name: values[::every] for name, values in table.items()}
+            proof = Proof()
+            traces.contacts(SimpleNamespace(trace_contacts=rare, drum_radius=1.0), proof)
+            titles = [title for title in proof.titles["contact_forces"] if title]
+            self.assertEqual(len(titles), panels)
+            self.assertEqual("too rarely" in titles[0], every > 1)
+
     def test_a_window_is_widened_to_walls_that_are_near(self):
         low, high = np.array((-1.0, -1)), np.array((1.0, 1))
         wall = scenery.Plane("wall", np.array((1.5, 9, 9.0)), np.array((-1.0, 0, 0)))
