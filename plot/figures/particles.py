@@ -3,7 +3,7 @@
 from matplotlib.collections import EllipseCollection
 import numpy as np
 
-from figures.scenery import draw_liner, draw_rotation, draw_scenery
+from figures.scenery import draw_liner, draw_rotation, draw_scenery, standing
 from figures.style import COLUMN, MM, MillFigure, colour_limits, mill_axes
 from figures.table import NotRecorded
 
@@ -34,7 +34,7 @@ def cross_section(run, gallery):
     picture.set_clim(*limits)
     axes.add_collection(picture)
     mill_axes(axes, run)
-    draw_scenery(axes, run, run.section)
+    draw_scenery(axes, standing(run.scene, frame["time"]), run.section)
     draw_liner(axes, run)
     draw_rotation(axes, run)
     axes.set_title(f"balls as the plane $z$ = {run.section * MM:.3g} mm cuts them, "

@@ -53,6 +53,55 @@ output: {frames: 20 steps, pictures: no}
 """
 
 
+MOVING = """\
+walls:
+  floor:
+    shape: plane
+    point: 0 0 0 m
+    normal: 0 1 0
+  lid:
+    shape: plane
+    point: 0 0.1 0 m
+    normal: 0 -1 0
+    motion:
+      kind: translate
+      direction: 0 2 0
+      schedule:
+        - {duration: 1 s, from: 0 m/s, to: 0 m/s}
+        - {duration: 1 s, from: 0 m/s, to: 0.5 m/s}
+        - {at: 0.5 m/s}
+  net:
+    shape: mesh
+    motion:
+      kind: translate
+      direction: 0 1 0
+      schedule:
+        - {at: 9 m/s}
+  flap:
+    shape: plane
+    point: 2 0 0 m
+    normal: 1 0 0
+    motion:
+      kind: rotate
+      axis: 0 0 1
+      through: 1 0 0 m
+      schedule:
+        - {at: 0.523598775598 rad/s}
+  side:
+    shape: plane
+    point: 0 0 0 m
+    normal: 1 0 0
+    motion:
+      kind: oscillate
+      direction: 1 0 0
+      amplitude: 0.01 m
+      frequency: 0.33333333333333 Hz
+      phase: 0.52359877559829882 rad
+      settle: 2 s
+particles:
+"""
+
+
 def draw_all(folder, pictures):
     """Names of the pictures drawn, and of the figures skipped."""
     run, gallery, skipped = Run(folder), Gallery(pictures, dpi=30), []
@@ -226,7 +275,7 @@ class Folders(unittest.TestCase):
         figure, (low, high) = plt.subplots(2)
         for axes, z in ((low, 0.0), (high, 0.97)):  # m
             axes.set(xlim=(-200, 700), ylim=(-100, 400))
-            scenery.draw_scenery(axes, Run(self.drop), z)
+            scenery.draw_scenery(axes, Run(self.drop).scene, z)
         floor, _, anvil = (patch for patch in low.patches if patch.get_fill())
         _, side = high.patches
         for patch, solid, free in ((floor, (0, -1), (0, 1)), (side, (461, 0), (459, 0)),
@@ -435,6 +484,22 @@ class Parts(unittest.TestCase):
         table = {"step": np.array([1, 2, 3, 7, 8, 2.0]), "id": np.ones(6),
                  "partner": np.array(["floor"] * 5 + ["lid"])}
         self.assertEqual([list(rows) for rows in traces.episodes(table)], [[0, 1, 2], [5], [3, 4]])
+
+    def test_planes_that_move_stand_where_the_time_has_brought_them(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write(MOVING)
+            file.flush()
+            scene = scenery.read_scene(file.name)
+        self.assertEqual([plane.name for plane in scenery.standing(scene, None).planes], ["floor"])
+        at = {plane.name: plane for plane in scenery.standing(scene, 3.0).planes}
+        np.testing.assert_allclose(at["floor"].point, (0, 0, 0))
+        np.testing.assert_allclose(at["lid"].point, (0, 0.1 + 0.25 * 1 + 0.5 * 1, 0))
+        np.testing.assert_allclose(at["lid"].normal, (0, -1, 0))
+        np.testing.assert_allclose(at["flap"].point, (1, 1, 0), atol=1e-12)
+        np.testing.assert_allclose(at["flap"].normal, (0, 1, 0), atol=1e-12)
+        before, after = (scenery.standing(scene, time).planes[-1].point for time in (1.9, 2.25))
+        np.testing.assert_allclose(before, (0, 0, 0))
+        np.testing.assert_allclose(after, (0.01 * (np.sin(np.pi / 3) - 0.5), 0, 0))
 
     def test_a_contact_traced_too_rarely_has_no_loop(self):
         depth = np.sin(np.pi * np.linspace(0, 1, 21))
