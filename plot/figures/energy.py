@@ -47,12 +47,18 @@ def draw_stored(axes, ledger, channels):
 
 def draw_lost(axes, ledger, channels):
     work, losses = ledger.work(), ledger.losses()
-    factor, unit = unit_for(work, losses)
+    flows = [(label, values, line) for label, values, line in (
+        ("brought in by feeds", ledger.brought(), (0, (1, 1))),
+        ("taken out by outlets", ledger.taken(), (0, (5, 1, 1, 1))))
+        if values is not None and np.any(values != values[0])]
+    factor, unit = unit_for(work, losses, *(values for _, values, _ in flows))
     if work is not None:
         axes.plot(ledger.time, factor * work, color=BLACK, lw=1.2, label="work of the walls")
     if losses is not None:
         axes.plot(ledger.time, factor * losses, color=BLACK, lw=0.9, ls=(0, (4, 2)),
                   label="all losses")
+    for label, values, line in flows:
+        axes.plot(ledger.time, factor * values, color=BLACK, lw=0.9, ls=line, label=label)
     for (_, label, values), colour in zip(channels, LINES):
         axes.plot(ledger.time, factor * values, color=colour, lw=0.8, label=label)
     axes.set_ylabel(f"done and lost ({unit})")
@@ -71,8 +77,13 @@ def draw_residual(axes, ledger):
     axes.set_ylabel(f"residual ({unit})")
     turnover = ledger.turnover()
     if turnover > 0:
-        axes.set_title(f"residual at the end: {abs(residual[-1]) / turnover:.1e} of the turnover",
+        axes.set_title(f"residual at the end: {minus(residual[-1] / turnover)} of the turnover",
                        loc="right", fontsize=7, pad=2)
+
+
+def minus(value):
+    """Two digits of a number, with a sign that is not a hyphen."""
+    return f"{value:.1e}".replace("-", "−")
 
 
 def unit_for(*channels):

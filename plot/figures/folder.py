@@ -13,7 +13,7 @@ import numpy as np
 
 from figures.grid import Grid
 from figures.liner import Liner
-from figures.scenery import read_scene, with_scenery
+from figures.scenery import read_scene, standing, with_scenery
 from figures.table import NotRecorded, read_table
 
 
@@ -178,7 +178,8 @@ class Run:
             grid = self.grids[0]
             return grid.low, grid.high
         margin = 2 * radius + 0.05 * np.ptp(centre, axis=0).max()
-        return with_scenery(self.scene, centre.min(axis=0) - margin, centre.max(axis=0) + margin,
+        scene = standing(self.scene, self.frame["time"])
+        return with_scenery(scene, centre.min(axis=0) - margin, centre.max(axis=0) + margin,
                             self.section)
 
     @functools.cached_property

@@ -2,7 +2,7 @@
 """The energy channels of a series: what is stored, what was lost, what walls put in.
 
 Every energy is a column `NAME_j` (J) of series.csv. The names here are those of the program's own
-ledger, which keeps  work = change of stored energy + losses + residue.
+ledger, which keeps  work + brought in - taken out = change of stored energy + losses + residue.
 """
 import numpy as np
 
@@ -45,6 +45,14 @@ class Ledger:
         """Work of all walls on the particles (J), or None. Walls at rest do none, so in a mill this
         is the drum's."""
         return self.column("work")
+
+    def brought(self):
+        """Energy of the particles that feeds brought in (J), or None."""
+        return self.column("brought_in")
+
+    def taken(self):
+        """Energy of the particles that outlets took out (J), or None."""
+        return self.column("taken_out")
 
     def residual(self):
         """What the balance leaves open (J), as the program counted it, or None."""

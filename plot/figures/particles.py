@@ -3,8 +3,8 @@
 from matplotlib.collections import EllipseCollection
 import numpy as np
 
-from figures.scenery import draw_liner, draw_rotation, draw_scenery
-from figures.style import COLUMN, MM, MillFigure, mill_axes, round_limit
+from figures.scenery import draw_liner, draw_rotation, draw_scenery, standing
+from figures.style import COLUMN, MM, MillFigure, colour_limits, mill_axes
 from figures.table import NotRecorded
 
 
@@ -22,7 +22,7 @@ def cross_section(run, gallery):
     chosen, cut_radius = cut_circles(frame["position"], frame["radius"], run.section)
     if not len(chosen):
         raise NotRecorded("the section cuts no particle of the last frame")
-    top = round_limit(speed[chosen], 99.5)
+    limits = colour_limits(speed[chosen].astype(float))
     page = MillFigure(1.5 * COLUMN)
     axes = page.panels[0]
     diameter = 2 * cut_radius * MM
@@ -31,13 +31,14 @@ def cross_section(run, gallery):
                                 offset_transform=axes.transData, cmap="viridis",
                                 linewidths=0.15, edgecolors="0.15")
     picture.set_array(speed[chosen])
-    picture.set_clim(0, top)
+    picture.set_clim(*limits)
     axes.add_collection(picture)
     mill_axes(axes, run)
-    draw_scenery(axes, run, run.section)
+    draw_scenery(axes, standing(run.scene, frame["time"]), run.section)
     draw_liner(axes, run)
     draw_rotation(axes, run)
     axes.set_title(f"balls as the plane $z$ = {run.section * MM:.3g} mm cuts them, "
                    f"$t$ = {frame['time']:.3f} s", fontsize=7)
-    page.colour_bar(picture, "speed (m/s)", extend="max")
+    page.colour_bar(picture, "speed (m/s)",
+                    extend="max" if speed[chosen].max() > limits[1] else "neither")
     gallery.save(page.figure, "particles")

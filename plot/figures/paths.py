@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.scenery import draw_rotation, draw_scenery, draw_swept, with_scenery
+from figures.scenery import draw_rotation, draw_scenery, draw_swept, standing, with_scenery
 from figures.style import LINES, MM, PAGE
 from figures.traces import traced
 
@@ -16,7 +16,7 @@ def window(run, x, y, z):
         return run.extent()
     low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
     margin = 2 * run.scene.radius if run.scene.radius else 0.08 * max(high - low)
-    low, high = with_scenery(run.scene, low - margin, high + margin, z)
+    low, high = with_scenery(standing(run.scene, None), low - margin, high + margin, z)
     spare = np.maximum(0, 0.5 * max(high - low) - (high - low))  # a straight fall is no wider
     spare[1] = 0
     return low - spare / 2, high + spare / 2
@@ -44,7 +44,7 @@ def paths(run, gallery):
         axes.plot(x[rows] * MM, y[rows] * MM, color=colour, lw=0.8, label=f"particle {one:.0f}",
                   zorder=3)
         draw_ends(axes, run, x[rows] * MM, y[rows] * MM, colour, even)
-    draw_scenery(axes, run, z)
+    draw_scenery(axes, standing(run.scene, None), z)
     draw_swept(axes, run)
     draw_rotation(axes, run)
     axes.set_xlabel("$x$ (mm)")
@@ -52,6 +52,8 @@ def paths(run, gallery):
     title = (f"$t$ = {table['time_s'].min():.4g} s (filled) to {table['time_s'].max():.4g} s (open)")
     if not even:
         title += f", heights drawn {width / height / FLATTEST:.2g} times as large"
+    if any(plane.motion for plane in run.scene.planes):
+        title += "\nplanes that move are not drawn"
     axes.set_title(title, fontsize=7, pad=10 if run.drum_radius else 4)
     if len(ids) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1))

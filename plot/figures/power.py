@@ -64,35 +64,36 @@ def power(run, gallery):
         middle, rate = running_mean(time, total, width)
         axes.plot(middle, rate, color=colour, lw=line, label=label, zorder=3)
         highest += [np.percentile(rate, 99.5)] if len(rate) else []
-    show_mean(axes, run)
+    told = [f"lines: running mean over {width:.2g} s", "pale: each row", *show_mean(axes, run)]
     if highest and max(highest) > 0:
         axes.set_ylim(min(0, axes.get_ylim()[0] * 0.2), 1.5 * max(highest))
     axes.set_xlim(time[0], time[-1])
     axes.set_xlabel("time $t$ (s)")
     axes.set_ylabel("power (W)")
-    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.01), ncol=3, borderaxespad=0, alignment="left",
-                title=f"lines: running mean over {width:.2g} s, pale: each row, grey: window of the mean",
-                title_fontsize=7)
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.01), ncol=2, borderaxespad=0, alignment="left",
+                title=", ".join(told), title_fontsize=7)
     gallery.save(figure, "power")
 
 
 def show_mean(axes, run):
-    """The measuring window, shaded, and the mean over lifter passages with its standard error."""
+    """The measuring window, shaded, and the mean over lifter passages with its standard error;
+    returns what to say of the shading."""
     limits = measured_window(run)
     if not limits:
-        return
+        return []
     axes.axvspan(*limits, color=GREY, alpha=0.12, lw=0, zorder=0)
     mean, error = run.number("power_torque_w"), run.number("power_stderr_w")
     if mean is None:
-        return
+        return ["grey: window of the fields"]
     text = f"mean torque power {with_error(mean, error)} W"
     drift = run.number("power_drift_w")
     if run.summary.get("steady") is False:
-        text += ", not steady"
+        text += "\nnot steady"
         if drift is not None and mean:
             text += f": drift {100 * drift / mean:+.0f} %"
     axes.plot(limits, [mean, mean], color="black", lw=1.0, ls=(0, (5, 2)), label=text,
               zorder=4)
+    return ["grey: window of the mean"]
 
 
 def with_error(value, error):

@@ -3,7 +3,8 @@
 
 Planes (a box is six of them) and fixed balls are read from resolved.yaml, which the program writes
 with one key of a plane or a group of particles per line; earlier versions wrote a plane in one line.
-Planes that move are not drawn.
+Planes that move are drawn where they stand at the moment of a picture; a picture of a span of time
+leaves them out.
 """
 import re
 from collections import namedtuple
@@ -12,17 +13,19 @@ import matplotlib.pyplot as plt
 from matplotlib.collections import LineCollection
 import numpy as np
 
+from figures.motion import moved, read_motion
 from figures.style import BLACK, MM
 
 WALL = "0.88"  # grey of what is solid, or where no particle's centre was seen
 
-Plane = namedtuple("Plane", "name point normal")  # m, unit normal towards the particles
+# m, unit normal towards the particles, keys of the motion (none: at rest)
+Plane = namedtuple("Plane", "name point normal motion", defaults=(None,))
 Ball = namedtuple("Ball", "centre radius")        # m
 Scene = namedtuple("Scene", "planes fixed radius")  # radius: of all balls (m), None if they differ
 
 PLANE = re.compile(r"  (.+?): \{shape: plane,.* point: (\S+) (\S+) (\S+) m, "
                    r"normal: (\S+) (\S+) (\S+)\}")
-WALL_KEY = re.compile(r"    (shape|point|normal|motion): *(.*)")
+WALL_KEY = re.compile(r"    (shape|point|normal): *(.*)")
 AT, DIAMETER = re.compile(r" +at: (\S+) (\S+) (\S+) m"), re.compile(r" .*diameter: (\S+) m")
 
 
@@ -41,14 +44,15 @@ def read_scene(path):
             numbers = np.array(found.groups()[1:], float)
             planes.append(Plane(found[1], numbers[:3], numbers[3:] / np.linalg.norm(numbers[3:])))
         elif block == "walls" and not line.startswith("   "):
-            wall = {"name": line.strip().removesuffix(":")}
+            wall = {"name": line.strip().removesuffix(":"), "motion": {}}
         elif block == "walls" and (found := WALL_KEY.match(line)):
             wall[found[1]] = found[2]
             if found[1] == "normal" and wall.get("shape") == "plane":
                 point, normal = (np.array(wall[key].split()[:3], float) for key in ("point", "normal"))
-                planes.append(Plane(wall["name"], point, normal / np.linalg.norm(normal)))
-            elif found[1] == "motion" and wall.get("shape") == "plane":
-                planes.pop()
+                planes.append(Plane(wall["name"], point, normal / np.linalg.norm(normal),
+                                    wall["motion"]))
+        elif block == "walls" and line.startswith("      "):
+            read_motion(line, wall["motion"])
         elif block == "particles":
             if not line.startswith("   "):
                 group = {}
@@ -63,6 +67,14 @@ def read_scene(path):
                 fixed.append(Ball(group["at"], group["radius"]))
                 group = {}
     return Scene(planes, fixed, diameters.pop() if len(diameters) == 1 else None)
+
+
+def standing(scene, time):
+    """The scene as it stands at `time` (s); where that is None, without the planes that move."""
+    planes = [plane if not plane.motion else
+              Plane(plane.name, *moved(plane.point, plane.normal, plane.motion, time))
+              for plane in scene.planes if time is not None or not plane.motion]
+    return scene._replace(planes=planes)
 
 
 def traces_of(scene, z, centre):
@@ -89,16 +101,16 @@ def with_scenery(scene, low, high, z):
     return np.min([low, *points], axis=0), np.max([high, *points], axis=0)
 
 
-def draw_scenery(axes, run, z):
+def draw_scenery(axes, scene, z):
     """Planes and fixed balls where the plane at `z` cuts them; the axes have their limits."""
     x, y = axes.get_xlim(), axes.get_ylim()
     far = 2 * np.hypot(np.ptp(x), np.ptp(y))
-    for at, n in traces_of(run.scene, z, np.array((np.mean(x), np.mean(y))) / MM):
+    for at, n in traces_of(scene, z, np.array((np.mean(x), np.mean(y))) / MM):
         line = at * MM + far * np.outer((-1, 1), (-n[1], n[0]))
         axes.add_patch(plt.Polygon([*line, *(line[::-1] - far * n)], fc=WALL, ec="0.6", lw=0,
                                    hatch="//////", zorder=1.5))
         axes.plot(*line.T, color=BLACK, lw=0.8, zorder=1.6, scalex=False, scaley=False)
-    for ball in run.scene.fixed:
+    for ball in scene.fixed:
         reach = ball.radius ** 2 - (ball.centre[2] - z) ** 2
         if reach > 0:
             for look in ({"fc": WALL, "ec": "0.6", "lw": 0, "hatch": "//////"},

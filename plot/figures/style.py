@@ -14,6 +14,8 @@ import numpy as np  # noqa: E402
 
 COLUMN, PAGE = 3.35, 6.9  # inches   widths of a journal's column and page
 MM = 1e3                  # mm per m
+NARROW = 0.05             # 1   of their mean: values that differ by less have a scale without zero
+ROUNDED = 1e-5            # 1   of their mean: differences of numbers in single precision
 
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
 YELLOW, BLUE, RED, PURPLE, GREY = "#F0E442", "#0072B2", "#D55E00", "#CC79A7", "#7F7F7F"
@@ -96,6 +98,19 @@ class MillFigure:
         bar = self.figure.colorbar(picture, cax=self.bars[index], label=label, **options)
         bar.outline.set_linewidth(0.5)
         bar.ax.tick_params(direction="out", width=0.5, right=True)
+        self._make_room(bar.ax)
+
+    def _make_room(self, bar):
+        """Widens the page for a bar at its right edge whose numbers are long."""
+        wide, high = self.figure.get_size_inches()
+        words = bar.yaxis.get_tightbbox(self.figure.canvas.get_renderer())
+        more = words.x1 / self.figure.dpi + 0.03 - wide  # inches
+        if more <= 0:
+            return
+        places = [(axes, axes.get_position(original=True).bounds) for axes in self.figure.axes]
+        self.figure.set_size_inches(wide + more, high)
+        for axes, (x, y, width, height) in places:
+            axes.set_position((x * wide / (wide + more), y, width * wide / (wide + more), height))
 
 
 def hide_inner_labels(panels, rows, columns):
@@ -122,3 +137,13 @@ def round_limit(values, share=99.5):
         return 1.0
     power = 10.0 ** np.floor(np.log10(top))
     return float(next(s for s in (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10) if s * power >= top) * power)
+
+
+def colour_limits(values, share=99.5):
+    """Ends of a scale for sizes: zero and a round number; or, where the values differ by little of
+    their mean as in free fall, round numbers below and above them."""
+    spread, mean = (np.ptp(values), np.mean(values)) if values.size else (0.0, 0.0)
+    if not ROUNDED * mean < spread < NARROW * mean:
+        return 0.0, round_limit(values, share)
+    step = round_limit(np.array([spread])) / 5
+    return float(np.floor(values.min() / step) * step), float(np.ceil(values.max() / step) * step)

@@ -8,6 +8,8 @@ from figures.table import NotRecorded
 
 SHOWN = 6        # 1   particles in one figure
 ROUNDING = 1e-9  # 1   velocities (m/s) and spins (rad/s) below this, by the largest speed, are zero
+RESOLVED = 10    # 1   rows of a contact from which its course can be told,
+TURN = 5         # 1   and rows for each turn of its overlap
 LABELLED = 0.1   # 1   of the largest force: contacts whose ratio of speeds is written beside them
 
 
@@ -71,15 +73,30 @@ def episodes(table):
     return sorted(found, key=lambda rows: (step[rows[0]], rows[0]))
 
 
+def resolved(depth):
+    """True where the rows of a contact are dense enough to tell its course from its overlap."""
+    way = np.sign(np.diff(depth))
+    turns = np.count_nonzero(way[1:] != way[:-1])
+    return len(depth) >= max(RESOLVED, TURN * turns)
+
+
 def contacts(run, gallery):
-    """The parts of the force in the first contact of some length, and all contacts over time."""
+    """The parts of the force in the first contact that was traced densely enough, with its loop; or
+    in the longest, without it; and all contacts over time."""
     table = run.trace_contacts
     single = episodes(table)
-    first = next((rows for rows in single if len(rows) >= 5), single[0])
+    first = next((rows for rows in single if resolved(table["depth_m"][rows])), None)
     figure = plt.figure(figsize=(PAGE, 0.72 * PAGE), constrained_layout=True)
     grid = figure.add_gridspec(2, 2, height_ratios=(1.25, 1))
-    draw_parts(figure.add_subplot(grid[0, 0]), table, first)
-    draw_loop(figure.add_subplot(grid[0, 1]), table, first)
+    if first is not None:
+        draw_parts(figure.add_subplot(grid[0, 0]), table, first)
+        draw_loop(figure.add_subplot(grid[0, 1]), table, first)
+    else:
+        top = figure.add_subplot(grid[0, :])
+        draw_parts(top, table, max(single, key=len))
+        top.set_xlabel(top.get_xlabel().replace("first touch", "its first row"))
+        top.set_title(f"{top.get_title()}\ntraced too rarely to show the course of a contact, or its "
+                      "loop (measure: traces: every)", fontsize=7)
     bottom = figure.add_subplot(grid[1, :])
     draw_all(bottom, table, single)
     if not run.drum_radius:

@@ -5,13 +5,16 @@
 
 With the path of the program, `quern plot` itself is tried too; with a name, only tests like it.
 """
+import contextlib
 import filecmp
+import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PLOT = os.path.join(HERE, "..", "..", "plot")
@@ -23,12 +26,14 @@ import fake_run  # noqa: E402
 import h5py  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
+from matplotlib.axis import Axis  # noqa: E402
+from matplotlib.text import Text  # noqa: E402
 
 from figures import energy, figure_list, liner, paths, power, ring, scenery, traces  # noqa: E402
 from figures.folder import NotRun, Run  # noqa: E402
 from figures.ledger import STORED, Ledger  # noqa: E402
 from figures.particles import cut_circles  # noqa: E402
-from figures.style import Gallery, round_limit  # noqa: E402
+from figures.style import Gallery, colour_limits, round_limit  # noqa: E402
 from figures.table import NotRecorded, read_table  # noqa: E402
 
 
@@ -48,6 +53,55 @@ output: {frames: 20 steps, pictures: no}
 """
 
 
+MOVING = """\
+walls:
+  floor:
+    shape: plane
+    point: 0 0 0 m
+    normal: 0 1 0
+  lid:
+    shape: plane
+    point: 0 0.1 0 m
+    normal: 0 -1 0
+    motion:
+      kind: translate
+      direction: 0 2 0
+      schedule:
+        - {duration: 1 s, from: 0 m/s, to: 0 m/s}
+        - {duration: 1 s, from: 0 m/s, to: 0.5 m/s}
+        - {at: 0.5 m/s}
+  net:
+    shape: mesh
+    motion:
+      kind: translate
+      direction: 0 1 0
+      schedule:
+        - {at: 9 m/s}
+  flap:
+    shape: plane
+    point: 2 0 0 m
+    normal: 1 0 0
+    motion:
+      kind: rotate
+      axis: 0 0 1
+      through: 1 0 0 m
+      schedule:
+        - {at: 0.523598775598 rad/s}
+  side:
+    shape: plane
+    point: 0 0 0 m
+    normal: 1 0 0
+    motion:
+      kind: oscillate
+      direction: 1 0 0
+      amplitude: 0.01 m
+      frequency: 0.33333333333333 Hz
+      phase: 0.52359877559829882 rad
+      settle: 2 s
+particles:
+"""
+
+
 def draw_all(folder, pictures):
     """Names of the pictures drawn, and of the figures skipped."""
     run, gallery, skipped = Run(folder), Gallery(pictures, dpi=30), []
@@ -57,6 +111,33 @@ def draw_all(folder, pictures):
         except NotRecorded:
             skipped.append(name)
     return [os.path.basename(path) for path in gallery.written], skipped
+
+
+class Proof:
+    """In place of a gallery: keeps, by name, how far words reach beyond the page (inches), the last
+    legend, and the titles."""
+
+    def __init__(self):
+        self.over, self.legends, self.titles = {}, {}, {}
+
+    def save(self, figure, name):
+        figure.draw_without_rendering()
+        pen, page = figure.canvas.get_renderer(), figure.get_size_inches()
+        words = [text for text in figure.texts if text.get_text()]
+        for axes in figure.axes:
+            if axes.get_visible():
+                words += [part for part in axes.get_children() if isinstance(part, (Axis, Text))]
+            legend = axes.get_legend()
+            if legend:
+                words.append(legend)
+                self.legends[name] = [text.get_text() for text in (legend.get_title(),
+                                                                   *legend.get_texts())]
+        self.titles[name] = [axes.get_title(loc) for axes in figure.axes for loc in ("left", "center",
+                                                                                     "right")]
+        boxes = [box for box in (one.get_tightbbox(pen) for one in words) if box and box.width > 0]
+        ends = np.array([box.extents for box in boxes]) / figure.dpi
+        self.over[name] = max(-ends[:, :2].min(), *(ends[:, 2:].max(axis=0) - page))
+        plt.close(figure)
 
 
 def script(*arguments, python=("/usr/bin/python3",)):
@@ -104,6 +185,38 @@ class Folders(unittest.TestCase):
             for name in names:
                 self.assertTrue(filecmp.cmp(os.path.join(first, name), os.path.join(second, name),
                                             shallow=False), name)
+
+    def test_nothing_runs_off_the_page(self):
+        unsteady = self.copy_of(self.mill)
+        with open(os.path.join(unsteady, "summary.json"), "w", encoding="utf-8") as file:
+            json.dump({"speed_rad_s": fake_run.SPEED, "power_torque_w": 1.4032, "steady": False,
+                       "power_stderr_w": 0.031, "power_drift_w": -17.3}, file)
+        slow = self.copy_of(self.mill)
+        with h5py.File(os.path.join(slow, "frames", "frame_000042.hdf"), "a") as file:
+            speed = file["VTKHDF/PointData/speed"]
+            speed[:] = 0.014 * speed[:] / np.max(speed[:])
+        figures = dict(figure_list())
+        for folder, names in ((self.mill, figures), (unsteady, ["power"]), (slow, ["particles"]),
+                              (self.drop, figures)):
+            proof = Proof()
+            for name in names:
+                with contextlib.suppress(NotRecorded):
+                    figures[name](Run(folder), proof)
+            over = {name: inches for name, inches in proof.over.items() if inches > 0.005}
+            with self.subTest(folder):
+                self.assertGreater(len(proof.over), 0)
+                self.assertEqual(over, {})
+
+    def test_the_legend_of_the_power_tells_what_is_drawn(self):
+        folder = self.copy_of(self.mill)
+        for name, told in (("", "grey: window of the mean"), ("summary.json", "window of the fields"),
+                           ("fields.h5", "pale: each row")):
+            if name:
+                os.remove(os.path.join(folder, name))
+            proof = Proof()
+            power.power(Run(folder), proof)
+            self.assertTrue(proof.legends["power"][0].endswith(told), proof.legends["power"])
+            self.assertEqual(len(proof.legends["power"]), 3 + (name == ""))
 
     def test_any_missing_part_costs_only_its_own_pictures(self):
         lost = {"fields.h5": ("porosity maps", "velocity quivers", "component maps",
@@ -162,7 +275,7 @@ class Folders(unittest.TestCase):
         figure, (low, high) = plt.subplots(2)
         for axes, z in ((low, 0.0), (high, 0.97)):  # m
             axes.set(xlim=(-200, 700), ylim=(-100, 400))
-            scenery.draw_scenery(axes, Run(self.drop), z)
+            scenery.draw_scenery(axes, Run(self.drop).scene, z)
         floor, _, anvil = (patch for patch in low.patches if patch.get_fill())
         _, side = high.patches
         for patch, solid, free in ((floor, (0, -1), (0, 1)), (side, (461, 0), (459, 0)),
@@ -344,6 +457,18 @@ class Parts(unittest.TestCase):
         names = [name for name, _, _ in energy.moving(Ledger(series).channels(STORED))]
         self.assertEqual(names, ["gravity"])
 
+    def test_what_feeds_bring_and_outlets_take_is_drawn_and_the_residual_has_its_sign(self):
+        series = {"time_s": np.arange(3.0), "gravity_j": np.array((0, 2, 5.0)),
+                  "brought_in_j": np.array((0, 2, 4.0)), "work_j": np.zeros(3),
+                  "taken_out_j": np.zeros(3), "residual_j": np.array((0, 0, -1.0))}
+        proof = Proof()
+        energy.energy(SimpleNamespace(series=series), proof)
+        self.assertEqual(proof.legends["energy"], ["", "work of the walls", "brought in by feeds"])
+        self.assertIn("residual at the end: −2.0e−01 of the turnover", proof.titles["energy"])
+        proof = Proof()
+        energy.energy(SimpleNamespace(series={**series, "taken_out_j": np.arange(3.0)}), proof)
+        self.assertEqual(proof.legends["energy"][-1], "taken out by outlets")
+
     def test_a_rebound_is_the_ratio_of_speeds_along_the_normal(self):
         time, n = np.arange(5.0), np.array((0.6, 0.8))
         speed = np.array((-2, -2, 0, 1, 1.0))  # along the normal
@@ -359,6 +484,38 @@ class Parts(unittest.TestCase):
         table = {"step": np.array([1, 2, 3, 7, 8, 2.0]), "id": np.ones(6),
                  "partner": np.array(["floor"] * 5 + ["lid"])}
         self.assertEqual([list(rows) for rows in traces.episodes(table)], [[0, 1, 2], [5], [3, 4]])
+
+    def test_planes_that_move_stand_where_the_time_has_brought_them(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write(MOVING)
+            file.flush()
+            scene = scenery.read_scene(file.name)
+        self.assertEqual([plane.name for plane in scenery.standing(scene, None).planes], ["floor"])
+        at = {plane.name: plane for plane in scenery.standing(scene, 3.0).planes}
+        np.testing.assert_allclose(at["floor"].point, (0, 0, 0))
+        np.testing.assert_allclose(at["lid"].point, (0, 0.1 + 0.25 * 1 + 0.5 * 1, 0))
+        np.testing.assert_allclose(at["lid"].normal, (0, -1, 0))
+        np.testing.assert_allclose(at["flap"].point, (1, 1, 0), atol=1e-12)
+        np.testing.assert_allclose(at["flap"].normal, (0, 1, 0), atol=1e-12)
+        before, after = (scenery.standing(scene, time).planes[-1].point for time in (1.9, 2.25))
+        np.testing.assert_allclose(before, (0, 0, 0))
+        np.testing.assert_allclose(after, (0.01 * (np.sin(np.pi / 3) - 0.5), 0, 0))
+
+    def test_a_contact_traced_too_rarely_has_no_loop(self):
+        depth = np.sin(np.pi * np.linspace(0, 1, 21))
+        self.assertTrue(traces.resolved(depth))
+        self.assertFalse(traces.resolved(depth[::3]))
+        self.assertFalse(traces.resolved(np.tile((0.2, 1, 0.5), 20)))
+        with tempfile.TemporaryDirectory() as folder:
+            fake_run.write_bounces(folder)
+            table = read_table(os.path.join(folder, "trace_contacts.csv"))
+        for every, panels in ((1, 3), (4, 2)):
+            rare = {name: values[::every] for name, values in table.items()}
+            proof = Proof()
+            traces.contacts(SimpleNamespace(trace_contacts=rare, drum_radius=1.0), proof)
+            titles = [title for title in proof.titles["contact_forces"] if title]
+            self.assertEqual(len(titles), panels)
+            self.assertEqual("too rarely" in titles[0], every > 1)
 
     def test_a_window_is_widened_to_walls_that_are_near(self):
         low, high = np.array((-1.0, -1)), np.array((1.0, 1))
@@ -379,6 +536,12 @@ class Parts(unittest.TestCase):
     def test_a_colour_scale_ends_at_a_round_number_above_the_data(self):
         self.assertEqual(round_limit(np.array([0.1, -1.21, np.nan]), 100), 1.5)
         self.assertEqual(round_limit(np.array([np.nan])), 1.0)
+
+    def test_a_colour_scale_of_nearly_equal_values_starts_near_them(self):
+        self.assertEqual(colour_limits(np.array([0.31, 0.014])), (0.0, 0.4))
+        np.testing.assert_allclose(colour_limits(np.array([1.9603, 1.9648])), (1.96, 1.965))
+        self.assertEqual(colour_limits(np.array([1.96, 1.960001])), (0.0, 2.0))
+        self.assertEqual(colour_limits(np.array([0.0])), (0.0, 1.0))
 
     def test_a_table_without_a_row_is_not_recorded(self):
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
