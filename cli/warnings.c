@@ -2,6 +2,7 @@
 #include "cli/warnings.h"
 
 #include "scene/scene.h"
+#include "world/classes.h"
 #include "world/timestep.h"
 
 #include <math.h>
@@ -52,6 +53,23 @@ static void add_flaws(const qn_world *w, char *text, size_t room)
         }
 }
 
+/// Soft materials and a drum so fast that its charge does not tumble.
+static void warn_of_motion(const qn_world *w, const qn_forecast *f, char *text, size_t room)
+{
+    double overlap = f->timestep.largest_overlap, speed = fabs(f->speed) / f->critical_speed;
+    if (overlap > QN_OVERLAP_STOP)
+        add(text, room,
+            "warning: the hardest impact to expect, %.3g m/s, goes %.3g %% of the radius deep; "
+            "above "
+            "%g %% the run stops: use a larger young\n",
+            f->timestep.impact_speed, 100 * overlap, 100 * QN_OVERLAP_STOP);
+    if (w->def.drum.present && f->critical_speed > 0 && speed > 1)
+        add(text, room,
+            "warning: the drum turns at %.4g %%critical: above 100 its charge clings to the "
+            "shell\n",
+            100 * speed);
+}
+
 static void warn(const qn_world *w, const qn_forecast *f, char *text, size_t room)
 {
     double fraction = f->dt / f->timestep.rayleigh, steps = f->timestep.contact / f->dt;
@@ -64,6 +82,7 @@ static void warn(const qn_world *w, const qn_forecast *f, char *text, size_t roo
         add(text, room, "warning: the hardest impact has but %.1f time steps; 20 to 40 are usual\n",
             steps);
     warn_of_dashpots(w, f, text, room);
+    warn_of_motion(w, f, text, room);
     if (w->def.scheme == QN_SCHEME_EULER)
         add(text, room,
             "warning: numerics.scheme = forward-euler makes energy in every contact (some 15 %% of "
