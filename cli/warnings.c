@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 #include "world/classes.h"
+#include "world/flow.h"
 #include "world/timestep.h"
 
 #include <math.h>
@@ -40,6 +41,17 @@ static void warn_of_dashpots(const qn_world *w, const qn_forecast *f, char *text
             stiff > 1 ? "a lot, and the bed may explode" : "several percent",
             0.95e6 * f->dt * DASHPOT_WARN / stiff);
     }
+}
+
+/// Traced particles that there are none of; more may come where there are feeds.
+static void warn_of_traces(const qn_world *w, char *text, size_t room)
+{
+    int64_t last = w->flow ? w->flow->next_id - 1 : w->count;
+    for (int i = 0; i < w->def.measure.traced_count && w->def.feed_count == 0; i++)
+        if (w->def.measure.traced[i] > last)
+            add(text, room,
+                "warning: measure.traces.ids: there is no particle %lld; the last is %lld\n",
+                (long long)w->def.measure.traced[i], (long long)last);
 }
 
 /// What is odd about the meshes: most of it is mended or meant, but should be known.
@@ -107,6 +119,7 @@ const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, si
 {
     text[0] = 0;
     warn(w, f, text, room);
+    warn_of_traces(w, text, room);
     add_flaws(w, text, room);
     return text;
 }

@@ -164,6 +164,12 @@ def centrifuge():
             0, "warning: the drum turns at 170 %critical")
 
 
+@test("a traced particle that there is none of is a warning")
+def traced():
+    done = quern("check", write("mill.yaml", changed(MILL, ("ids: 1 50 100", "ids: 1 890 900")))).expect(0)
+    assert done.err == "warning: measure.traces.ids: there is no particle 900; the last is 890\n", done.err
+
+
 @test("a restitution whose dashpot is too stiff for the time step is a warning, with a step that is not")
 def dashpot():
     scene = write("mill.yaml", changed(MILL, ("restitution: 0.7", "restitution: 0.01")))
