@@ -8,6 +8,7 @@
 #include "record/json.h"
 #include "scene/forecast.h"
 #include "scene/scene.h"
+#include "world/classes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -237,8 +238,11 @@ static void print_report(const qn_world *w, const qn_forecast *f)
                f->speed * 30 / QN_PI, percent);
     }
     printf("%-20s %.6g s\n", "Rayleigh time", f->timestep.rayleigh);
-    printf("%-20s %.6g s at an impact of %.3g m/s, overlap %.2g %% of the radius\n", "contact time",
+    printf("%-20s %.6g s at an impact of %.3g m/s, overlap %.2g %% of the radius", "contact time",
            f->timestep.contact, f->timestep.impact_speed, 100 * f->timestep.largest_overlap);
+    if (f->timestep.largest_overlap > QN_OVERLAP_WARN)
+        printf(" (usual is below %g %%)", 100 * QN_OVERLAP_WARN);
+    printf("\n");
     printf("%-20s %.6g s: %.3g of the Rayleigh time, %.3g steps in a contact\n", "time step", f->dt,
            f->dt / f->timestep.rayleigh, f->timestep.contact / f->dt);
     printf("%-20s %.6g s, %lld steps", "run", f->end, (long long)f->steps);

@@ -25,13 +25,18 @@
       "  --steps N     the same in time steps\n"                                                             \
       "  --resume      go on from the last checkpoint in the folder\n"                                       \
       "  --force       replace what is in the folder\n"                                                      \
-      "  --quiet       no progress line\n\n"                                                                 \
+      "  --quiet       no progress line\n"                                                                   \
+      "  --no-pictures draw none at the end; 'quern plot' can do so later\n\n"                               \
       "Ctrl-C finishes the step and writes a checkpoint. A finished run can be resumed for longer.\n")       \
-    C("plot",  "DIR",                             "draw pictures from the recordings of a run",              \
-      "Pictures come to DIR/pictures.\n")                                                                    \
-    C("info",  "DIR|FILE",                        "say what is in a run folder, checkpoint, frame or mesh",   \
+    C("plot",  "DIR [--format KIND] [--dpi N] [-o FOLDER] [--quiet]",                                        \
+                                                  "draw pictures from the recordings of a run",              \
+      "  --format KIND  png, pdf or svg; png if not given\n"                                                 \
+      "  --dpi N        pixels per inch of a png; 300 if not given\n"                                        \
+      "  -o FOLDER      where to put the pictures, instead of DIR/pictures\n"                                \
+      "  --quiet        say nothing but errors\n")                                                           \
+    C("info",  "DIR|FILE",                        "say what is in a run folder, checkpoint, frame or mesh",  \
       "")                                                                                                    \
-    C("help",  "[COMMAND|scene [--markdown]]",    "explain a command, or every key of a scene",              \
+    C("help",  "[COMMAND|PART|scene [--markdown]]", "explain a command, a part of a scene such as drum, or every key", \
       "")
 // clang-format on
 
@@ -58,13 +63,14 @@ void cli_usage(const char *command, bool is_error)
     for (int i = 0; i < COMMAND_COUNT; i++)
         fprintf(out, "  quern %-6s %s\n", commands[i].name, commands[i].line);
     fprintf(out,
-            "\n'quern help COMMAND' says more; 'quern help scene' lists every key of a scene.\n");
+            "\n'quern help COMMAND' says more; 'quern help scene' lists every key of a scene,\n"
+            "'quern help drum' and the like those of a part.\n");
 }
 
-static int print_reference(bool markdown)
+static int print_reference(const char *part, bool markdown)
 {
     char *text;
-    qn_status status = qn_scene_reference(markdown, &text);
+    qn_status status = qn_scene_reference(part, markdown, &text);
     if (status != QN_OK) {
         fprintf(stderr, "quern help: %s\n", qn_error());
         return qn_status_exit(status);
@@ -83,10 +89,11 @@ static bool is_command(const char *name)
 
 int cli_unknown(const char *who, const char *word, const char *more)
 {
-    char nearest[64], names[256];
-    snprintf(names, sizeof names, "%s", more);
+    char nearest[64], names[512] = "";
     for (int i = 0; i < COMMAND_COUNT; i++)
         strcat(strcat(names, " "), commands[i].name);  // the list above: it fits
+    size_t used = strlen(names);
+    snprintf(names + used, sizeof names - used, " %s", more);
     bool like = qn_nearest_word(word, names, nearest, sizeof nearest);
     fprintf(stderr, "%s: there is no command '%s'%s%s%s\n", who, word,
             like ? "; did you mean '" : "", like ? nearest : "", like ? "'?" : "");
@@ -104,8 +111,10 @@ int cli_help(int argc, char **argv)
         cli_usage("help", true);
         return qn_status_exit(QN_INPUT);
     }
-    if (scene) return print_reference(markdown);
-    if (topic && !is_command(topic)) return cli_unknown("quern help", topic, "scene");
+    if (scene) return print_reference(NULL, markdown);
+    if (topic && !is_command(topic) && qn_scene_has_part(topic))
+        return print_reference(topic, false);
+    if (topic && !is_command(topic)) return cli_unknown("quern help", topic, qn_scene_parts());
     cli_usage(topic, false);
     return qn_status_exit(QN_OK);
 }

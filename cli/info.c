@@ -137,22 +137,61 @@ static void print_files(const char *folder, const char *inner, bool each)
     if (!each && files > 0) print_size(name, total);
 }
 
-/// summary.json as a list of names and values.
+/// The key and the value in a line of summary.json; false where it has none.
+static bool split_line(const char *line, char key[64], char value[256])
+{
+    if (sscanf(line, " \"%63[^\"]\": %255[^\n]", key, value) != 2) return false;
+    size_t end = strlen(value);
+    if (value[end - 1] == ',') value[end - 1] = 0;
+    return true;
+}
+
+/// Whether the first thing in an object, of which `text` is the rest, has no value: then none has.
+static bool begins_with_null(const char *text)
+{
+    char key[64], value[256];
+    return text && split_line(text, key, value) && !strcmp(value, "null");
+}
+
+/// The parts of the walls, a row each; `next` is behind the line that begins them, and then behind the
+/// one that ends them.
+static void print_parts(char **next)
+{
+    double power = 0, force[3] = {0};
+    char part[64] = "", key[64], value[256];
+    printf("  %-28s %10s %31s\n", "walls", "power (W)", "mean force x, y, z (N)");
+    for (char *line; (line = strsep(next, "\n")) && strncmp(line, "  }", 3);) {
+        if (!strncmp(line, "    }", 5))
+            printf("    %-26s %10.4g %10.4g %9.4g %9.4g\n", part, power, force[0], force[1],
+                   force[2]);
+        if (!split_line(line, key, value)) continue;
+        if (value[0] == '{') snprintf(part, sizeof part, "%s", key);
+        if (!strcmp(key, "mean_power_w")) power = strtod(value, NULL);
+        for (int c = 0; c < 3; c++)
+            if (!strncmp(key, "mean_force_", 11) && key[11] == "xyz"[c])
+                force[c] = strtod(value, NULL);
+    }
+}
+
+/// summary.json as a list of names and values, what is inside of something under its name.
 static void print_summary(const char *folder)
 {
-    char path[QN_FILE_NAME_MAX], *text, *next;
+    char path[QN_FILE_NAME_MAX], *text, *next, key[64], value[256];
     int64_t length;
     if (!qn_file_exists(qn_path_join(path, folder, "summary.json"))) return;
     if (qn_file_read(path, &text, &length) != QN_OK) return;
     printf("\nsummary\n");
     next = text;
     for (char *line; (line = strsep(&next, "\n"));) {
-        char key[64], value[256];
-        if (sscanf(line, " \"%63[^\"]\": %255[^\n]", key, value) != 2) continue;
-        size_t end = strlen(value);
-        if (end > 0 && value[end - 1] == ',') value[end - 1] = 0;
-        if (!strcmp(value, "null") || value[0] == '{') continue;
-        printf("  %s%-28s %s\n", strncmp(line, "    ", 4) ? "" : "  ", key, value);
+        if (!split_line(line, key, value) || !strcmp(value, "null")) continue;
+        int inside = (int)strspn(line, " ");
+        bool opens = value[0] == '{' || value[0] == '[';
+        if (!opens)
+            printf("%*s%-*s %s\n", inside, "", 30 - inside, key, value);
+        else if (inside == 2 && !strcmp(key, "walls") && value[1] != '}')
+            print_parts(&next);
+        else if (!value[1] && !begins_with_null(next))
+            printf("%*s%s\n", inside, "", key);
     }
     free(text);
 }

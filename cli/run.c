@@ -5,6 +5,7 @@
 #include "cli/warnings.h"
 #include "measure/measure.h"
 #include "record/recorder.h"
+#include "record/summary.h"
 #include "scene/scene.h"
 #include "scene/units.h"
 #include "step/step.h"
@@ -290,13 +291,8 @@ static void warn_of_short_feeds(run *r)
 // The result in a line or two; the rest is in summary.json.
 static void print_result(const run *r)
 {
-    qn_power power = qn_passages_power(&r->measure.passages);
-    double residual = qn_measure_value(&r->measure, r->recorder.row, "residual_relative");
-    if (isfinite(power.torque))
-        fprintf(stderr, "power %.4g +- %.2g W over %lld lifter passages, %s (drift %+.1f %%)\n",
-                power.torque, power.standard_error, (long long)power.passages,
-                power.steady ? "steady" : "not steady", 100 * power.drift / power.torque);
-    if (isfinite(residual)) fprintf(stderr, "energy residual %.2g of the turnover; ", residual);
+    char text[512];
+    fputs(qn_summary_text(&r->measure, r->recorder.row, text, sizeof text), stderr);
     fprintf(stderr, "results in %s\n", r->recorder.folder.path);
 }
 

@@ -2,6 +2,8 @@
 #include "cli/warnings.h"
 
 #include "scene/scene.h"
+#include "world/classes.h"
+#include "world/flow.h"
 #include "world/timestep.h"
 
 #include <math.h>
@@ -41,6 +43,17 @@ static void warn_of_dashpots(const qn_world *w, const qn_forecast *f, char *text
     }
 }
 
+/// Traced particles that there are none of; more may come where there are feeds.
+static void warn_of_traces(const qn_world *w, char *text, size_t room)
+{
+    int64_t last = w->flow ? w->flow->next_id - 1 : w->count;
+    for (int i = 0; i < w->def.measure.traced_count && w->def.feed_count == 0; i++)
+        if (w->def.measure.traced[i] > last)
+            add(text, room,
+                "warning: measure.traces.ids: there is no particle %lld; the last is %lld\n",
+                (long long)w->def.measure.traced[i], (long long)last);
+}
+
 /// What is odd about the meshes: most of it is mended or meant, but should be known.
 static void add_flaws(const qn_world *w, char *text, size_t room)
 {
@@ -50,6 +63,23 @@ static void add_flaws(const qn_world *w, char *text, size_t room)
             qn_mesh_flaw_text(&w->walls.meshes[m], k, 1e-3, "mm", flaw, sizeof flaw);
             if (*flaw) add(text, room, "note: %s\n", flaw);
         }
+}
+
+/// Soft materials and a drum so fast that its charge does not tumble.
+static void warn_of_motion(const qn_world *w, const qn_forecast *f, char *text, size_t room)
+{
+    double overlap = f->timestep.largest_overlap, speed = fabs(f->speed) / f->critical_speed;
+    if (overlap > QN_OVERLAP_STOP)
+        add(text, room,
+            "warning: the hardest impact to expect, %.3g m/s, goes %.3g %% of the radius deep; "
+            "above "
+            "%g %% the run stops: use a larger young\n",
+            f->timestep.impact_speed, 100 * overlap, 100 * QN_OVERLAP_STOP);
+    if (w->def.drum.present && f->critical_speed > 0 && speed > 1)
+        add(text, room,
+            "warning: the drum turns at %.4g %%critical: above 100 its charge clings to the "
+            "shell\n",
+            100 * speed);
 }
 
 static void warn(const qn_world *w, const qn_forecast *f, char *text, size_t room)
@@ -64,6 +94,7 @@ static void warn(const qn_world *w, const qn_forecast *f, char *text, size_t roo
         add(text, room, "warning: the hardest impact has but %.1f time steps; 20 to 40 are usual\n",
             steps);
     warn_of_dashpots(w, f, text, room);
+    warn_of_motion(w, f, text, room);
     if (w->def.scheme == QN_SCHEME_EULER)
         add(text, room,
             "warning: numerics.scheme = forward-euler makes energy in every contact (some 15 %% of "
@@ -88,6 +119,7 @@ const char *cli_warnings(const qn_world *w, const qn_forecast *f, char *text, si
 {
     text[0] = 0;
     warn(w, f, text, room);
+    warn_of_traces(w, text, room);
     add_flaws(w, text, room);
     return text;
 }

@@ -38,8 +38,8 @@ qn_status qn_passages_create(const qn_world *w, int64_t first, int64_t last, qn_
     QN_TRY(QN_ALLOCATE(p->part_work[1], p->part_count));
     for (int i = 0; i < p->part_count; i++) p->turning[i] = w->walls.parts[i].turning;
     p->active = speed != 0 && first < INT64_MAX;
-    bool has_lifters = drum->lifter_count > 0 && !w->walls.has_profile_file;
-    p->angle = 2 * QN_PI / (has_lifters ? drum->lifter_count : QN_PASSAGES_SMOOTH);
+    p->lifters = drum->lifter_count > 0 && !w->walls.has_profile_file;
+    p->angle = 2 * QN_PI / (p->lifters ? drum->lifter_count : QN_PASSAGES_SMOOTH);
     p->sense = (int)qn_drum_sense(drum);
     p->dt = w->dt;
     p->drum = drum;

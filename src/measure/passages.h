@@ -27,6 +27,7 @@ enum {
 
 typedef struct qn_passages {
     bool active;
+    bool lifters;                   //          passages are of lifters, not sixteenths of a turn
     double angle;                   //     rad  of one passage
     int sense;                      //     1    of rotation: 1 or -1
     double dt;                      //     s

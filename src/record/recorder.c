@@ -206,6 +206,15 @@ qn_status qn_recorder_checkpoint(qn_recorder *rec, qn_world *world, qn_measure *
     return QN_OK;
 }
 
+/// The lines that a terminal shows of the result.
+static void log_result(qn_recorder *rec, const qn_measure *measure)
+{
+    char text[512], *line = text, *next;
+    qn_summary_text(measure, rec->row, text, sizeof text);
+    for (; (next = strchr(line, '\n')) != NULL; line = next + 1)
+        qn_recorder_log(rec, "%.*s", (int)(next - line), line);
+}
+
 qn_status qn_recorder_finish(qn_recorder *rec, qn_world *world, qn_measure *measure, bool finished)
 {
     QN_TRY(write_checkpoint(rec, world, measure));
@@ -220,6 +229,7 @@ qn_status qn_recorder_finish(qn_recorder *rec, qn_world *world, qn_measure *meas
     char lack[160];
     qn_measure_lack(measure, lack, sizeof lack);
     if (*lack) qn_recorder_log(rec, "%s", lack);
+    log_result(rec, measure);
     qn_recorder_log(rec, "%s at step %" PRId64 ", %.3g s of wall time, state_hash %016" PRIx64,
                     finished ? "finished" : "stopped", world->step, rec->progress.wall,
                     rec->progress.state_hash);

@@ -5,6 +5,8 @@
 #include "world/flow.h"
 #include "world/neighbours.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static void put_run(qn_json *j, const qn_world *w, const qn_progress *p, bool finished)
@@ -156,4 +158,33 @@ qn_status qn_summary_write(const char *path, const qn_world *world, const qn_mea
     if (status == QN_OK) status = qn_atomic_text(path, text);
     free(text);
     return status;
+}
+
+/// "power 0.31 +- 0.004 W over 30 lifter passages, steady (drift +0.4 %)", or what is known of it.
+static void put_power_text(FILE *out, const qn_passages *p)
+{
+    qn_power power = qn_passages_power(p);
+    if (!isfinite(power.torque)) return;
+    fprintf(out, "power %.4g ", power.torque);
+    if (isfinite(power.standard_error)) fprintf(out, "+- %.2g ", power.standard_error);
+    fprintf(out, "W over %" PRId64 " %s%s%s", power.passages,
+            p->lifters ? "lifter passage" : "sixteenth", power.passages == 1 ? "" : "s",
+            p->lifters ? "" : " of a turn");
+    if (!isfinite(power.drift))
+        fprintf(out, ": too few for its error and drift\n");
+    else
+        fprintf(out, ", %s (drift %+.1f %%)\n", power.steady ? "steady" : "not steady",
+                power.torque == 0 ? 0 : 100 * power.drift / power.torque);
+}
+
+const char *qn_summary_text(const qn_measure *m, const double *row, char *text, size_t room)
+{
+    double residual = value_of(m, row, "residual_relative");
+    FILE *out = fmemopen(text, room, "w");
+    text[0] = 0;
+    if (!out) return text;
+    put_power_text(out, &m->passages);
+    if (isfinite(residual)) fprintf(out, "energy residual %.2g of the turnover\n", residual);
+    fclose(out);
+    return text;
 }

@@ -13,4 +13,8 @@ QN_NODISCARD qn_status qn_summary_write(const char *path, const qn_world *world,
                                         const qn_measure *measure, const qn_progress *progress,
                                         const double *row, bool finished);
 
+/// The mean power and the energy residual as sentences for people, each ended by a newline; those that
+/// are not known are left out. Returns `text`.
+const char *qn_summary_text(const qn_measure *measure, const double *row, char *text, size_t room);
+
 #endif

@@ -185,7 +185,7 @@ typedef enum qn_resume { QN_RESUME_FIXED, QN_RESUME_FREE } qn_resume;
     K(fractions_by,       WORD,    PURE,         "",          "number mass",      "mass",           FIXED, "what the fractions of sizes count") \
     K(fixed,              YESNO,   PURE,         "",          "",                 "no",             FIXED, "never moves, whatever touches it") \
     K(turning,            YESNO,   PURE,         "",          "",                 "no",             FIXED, "moves with the drum, whatever touches it") \
-    K(fill,               WORD,    PURE,         "",          "hcp grid file at feed lining", "hcp", FIXED, "hexagonal packing, cubic grid, from a file, one sphere, none at the start and later from a feed, or side by side along a smooth shell; file and at if those keys are there") \
+    K(fill,               WORD,    PURE,         "",          "hcp grid file at feed lining", "hcp", FIXED, "hexagonal packing, cubic grid, from a file, one sphere, none at the start and later from a feed, or side by side along a smooth shell; file and at if those keys are there. hcp and grid take the places that are clear of walls, on both sides of a mesh, in the drum or in a box of planes") \
     K(count,              WHOLE,   PURE,         "[1, 2e9]",  "",                 "",               FIXED, "how many particles; hcp and grid need one of count, filling, mass") \
     K(filling,            NUMBER,  SHARE,        "]0, 1]",    "",                 "",               FIXED, "share of the drum's volume that the bed at rest takes, voids included") \
     K(mass,               NUMBER,  MASS,         "]0, inf[",  "",                 "",               FIXED, "of all particles together")       \

@@ -121,23 +121,64 @@ static void write_laws(FILE *out, bool markdown)
 }
 // clang-format on
 
-qn_status qn_scene_reference(bool markdown, char **text)
+static const char *const part_names[] = {
+#define S(NAME, lower, path, title) #lower,
+    QN_SECTIONS(S)
+#undef S
+};
+
+/// Whether a section is of this part: by its name, or by a word of its path.
+static bool is_of(int section, const char *part)
 {
-    size_t size;
-    FILE *out = open_memstream(text, &size);
-    if (!out) return qn_fail(QN_MEMORY, "no memory for the reference of scenes");
+    size_t length = strlen(part);
+    if (!strcmp(part_names[section], part)) return true;
+    for (const char *word = qn_sections[section].path; length > 0 && *word;) {
+        size_t size = strcspn(word, ".[ ");
+        if (size == length && !strncmp(word, part, size)) return true;
+        word += size;
+        if (*word == ' ') return false;  // behind it: which shape
+        word += strspn(word, ".[]");
+    }
+    return false;
+}
+
+bool qn_scene_has_part(const char *name)
+{
+    for (int i = 0; i < QN_SECTION_COUNT; i++)
+        if (is_of(i, name)) return true;
+    return false;
+}
+
+const char *qn_scene_parts(void)
+{
+#define S(NAME, lower, path, title) " " #lower
+    return QN_SECTIONS(S);
+#undef S
+}
+
+static void write_intro(FILE *out, bool markdown)
+{
     if (markdown)
         fprintf(out,
                 "<!-- Written by `quern help scene --markdown`; do not edit. -->\n# Scenes\n\n");
     for (const char *p = intro; *p; p++)
         if (markdown || *p != '`') fputc(*p, out);
+}
+
+qn_status qn_scene_reference(const char *part, bool markdown, char **text)
+{
+    size_t size;
+    FILE *out = open_memstream(text, &size);
+    if (!out) return qn_fail(QN_MEMORY, "no memory for the reference of scenes");
+    if (!part) write_intro(out, markdown);
     for (int i = 0; i < QN_SECTION_COUNT; i++) {
+        if (part && !is_of(i, part)) continue;
         if (markdown)
             write_markdown(out, &qn_sections[i]);
         else
             write_plain(out, &qn_sections[i]);
     }
-    write_laws(out, markdown);
+    if (!part) write_laws(out, markdown);
     if (fclose(out) == 0) return QN_OK;
     free(*text);
     return qn_fail(QN_MEMORY, "no memory for the reference of scenes");

@@ -59,8 +59,16 @@ QN_NODISCARD qn_status qn_scene_continues(const char *before, const char *now, c
 /// A hash of the keys of a resolved scene that a run can't change when it goes on.
 QN_NODISCARD qn_status qn_scene_hash(const char *resolved, uint64_t *hash);
 
-/// The reference of all keys, for a terminal or as Markdown; *text is to be released with free().
-QN_NODISCARD qn_status qn_scene_reference(bool markdown, char **text);
+/// The reference of all keys (`part` NULL), or of those of one part (qn_scene_has_part()), for a terminal
+/// or as Markdown; *text is to be released with free().
+QN_NODISCARD qn_status qn_scene_reference(const char *part, bool markdown, char **text);
+
+/// Whether a scene has a part of this name: a word on the way to its keys, as "particles", or what one
+/// entry is, as "group".
+bool qn_scene_has_part(const char *name);
+
+/// What the parts of a scene are, separated by spaces.
+const char *qn_scene_parts(void);
 
 /// The commented scene of this name ("mill", "drop"), or NULL.
 const char *qn_scene_template(const char *name);

@@ -148,6 +148,28 @@ def window():
     assert f"measure.fields lasts until {turn:.4g} s" in done.err, done.err
 
 
+@test("an overlap to expect that is large is told, one that would stop the run is a warning")
+def soft():
+    for young, usual, stops in (("2 GPa", False, False), ("20 MPa", True, False), ("20 kPa", True, True)):
+        done = quern("check", write("mill.yaml", changed(MILL, ("20 MPa", young)))).expect(0)
+        assert ("(usual is below 5 %)" in done.out) == usual, (young, done.out)
+        assert ("above 30 % the run stops" in done.err) == stops, (young, done.err)
+
+
+@test("a drum above its critical speed is a warning")
+def centrifuge():
+    assert quern("check", write("mill.yaml", changed(MILL, ("70 %crit", "100 %crit")))).expect(0).err == ""
+    for speed in ("170", "-170"):
+        quern("check", write("mill.yaml", changed(MILL, ("70 %crit", f"{speed} %crit")))).expect(
+            0, "warning: the drum turns at 170 %critical")
+
+
+@test("a traced particle that there is none of is a warning")
+def traced():
+    done = quern("check", write("mill.yaml", changed(MILL, ("ids: 1 50 100", "ids: 1 890 900")))).expect(0)
+    assert done.err == "warning: measure.traces.ids: there is no particle 900; the last is 890\n", done.err
+
+
 @test("a restitution whose dashpot is too stiff for the time step is a warning, with a step that is not")
 def dashpot():
     scene = write("mill.yaml", changed(MILL, ("restitution: 0.7", "restitution: 0.01")))

@@ -69,6 +69,18 @@ def warning():
     assert pathlib.Path("out/log.txt").read_text().count("overlap") == 1
 
 
+@test("a ball that is squeezed between two walls is told as such, one that flies at a wall is not")
+def squeezed():
+    floor = "  floor: {shape: plane, material: ball, point: 0 0 0 m, normal: 0 1 0}\n"
+    press = ("  press: {shape: plane, material: ball, point: 0 4 0 mm, normal: 0 -1 0, "
+             "motion: {kind: translate, direction: 0 -1 0, speed: 0.5 m/s}}\n")
+    fails(changed(SHOT, (floor, floor + press), ("at: 50 500 0 mm", "at: 50 1.5 0 mm"),
+                  ("  shot: {material: ball, diameter: 3 mm, at: 0 600 0 mm, velocity: 0 -60 0 m/s}\n", "")),
+          "particle 1 overlaps wall", "it is squeezed")
+    done = run(write("shot.yaml", SHOT), "flown").expect(UNSTABLE)
+    assert "squeezed" not in done.err, done.err
+
+
 @test("a particle that is too fast for the time step stops the run")
 def speed():
     fails(changed(SHOT, ("-60 0 m/s", "-400 0 m/s")), "particle 2", "too fast",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`quern help` and `quern new`: what they print is right, and the templates run."""
 import pathlib
+import re
 
 from common import INPUT, SOURCE, main, quern, run, summary, test, write
 
@@ -22,7 +23,30 @@ def commands():
 def options():
     text = quern("help", "run").expect(0).out
     for option in "-o --threads --until --steps --resume --force --quiet --no-pictures".split():
-        assert option in text, option
+        assert f"\n  {option}" in text, option
+
+
+@test("help plot names every option that plot takes")
+def plot_options():
+    text = quern("help", "plot").expect(0).out
+    script = (SOURCE / "plot" / "quern_plot.py").read_text()
+    options = re.findall(r'add_argument\("(-[-\w]+)"', script)
+    assert len(options) >= 4, options
+    for option in options:
+        assert f"\n  {option}" in text, option
+
+
+@test("help of a part of a scene lists its keys and no others")
+def part():
+    for name, keys, others in (("drum", "diameter speed face_angle", "young"),
+                               ("lifters", "face_angle", "speed"),
+                               ("feeds", "rate", "young"), ("feed", "rate", "young"),
+                               ("walls", "normal frequency", "young"),
+                               ("motion", "frequency", "normal")):
+        lines = [line.split() for line in quern("help", name).expect(0).out.splitlines()]
+        found = {words[0] for words in lines if words}
+        assert set(keys.split()) <= found and others not in found, (name, found)
+    quern("help", "drums").expect(INPUT, "did you mean 'drum'?")
 
 
 @test("help for an unknown word names the nearest and exits with 2")

@@ -35,6 +35,20 @@ def info():
     assert tree(".") == before, "info has written something"
 
 
+@test("info of a run has a row for each part of the walls: name, power, force")
+def parts():
+    run(write("mill.yaml", SCENE), "out").expect(0)
+    text = quern("info", "out").expect(0).out
+    rows = {line.split()[0]: line.split()[1:] for line in text.splitlines() if line.startswith("    ")}
+    walls = summary("out")["walls"]
+    assert len(walls) == 7 and max(abs(wall["mean_power_w"]) for wall in walls.values()) > 0
+    for name, wall in walls.items():
+        expected = [wall[f"mean_{key}"] for key in ("power_w", "force_x_n", "force_y_n", "force_z_n")]
+        assert rows[name] == [f"{number:.4g}" for number in expected], (name, text)
+    assert "finnie" not in text and "power_parts_w" not in text, text
+    assert text.index("lifter_06") < text.index("state_hash"), text
+
+
 @test("info tells what is in a mesh")
 def mesh():
     text = quern("info", write("plate.obj", CUBE)).expect(0).out

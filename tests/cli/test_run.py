@@ -264,6 +264,24 @@ def summary_keys():
     assert abs(found["critical_speed_rad_s"] - (2 * 9.81 / 0.06) ** 0.5) < 1e-9
 
 
+@test("the terminal and the log tell the power, over what it was counted, and the energy residual")
+def result():
+    few = changed(MILL, ("end: 0.06 s", "end: 0.12 s"), ("duration: 50 ms", "duration: 110 ms"),
+                  ("filling: 30 %", "filling: 3 %"))
+    for name, lifters, expected in (
+            ("many", LIFTERS.replace("6", "24").replace("height: 4", "height: 2").replace("top: 4", "top: 2"),
+             r"power \S+ \+- \S+ W over 5 lifter passages, (not )?steady \(drift [+-][\d.]+ %\)"),
+            ("one", LIFTERS, r"power \S+ W over 1 lifter passage: too few for its error and drift"),
+            ("none", "", r"power .* W over 3 sixteenths of a turn, .*steady")):
+        scene = write(f"{name}.yaml", changed(few, (LIFTERS, lifters)))
+        told = quern("run", scene, "-o", name, "--threads", "1").expect(0).err
+        assert re.search(expected, told) and "nan" not in told, told
+        log = pathlib.Path(name, "log.txt").read_text()
+        for line in (l for l in told.splitlines() if l.startswith(("power ", "energy residual "))):
+            assert line in log, line
+        assert "energy residual" in log, log
+
+
 @test("a folder that cannot be made is told, with exit code 3")
 def unwritable():
     scene = write("mill.yaml", SHORT)

@@ -466,7 +466,7 @@ static void every_template_is_a_good_scene(void)
 static void the_reference_names_every_key(void)
 {
     char *text, row[64];
-    CHECK_STATUS(qn_scene_reference(true, &text));
+    CHECK_STATUS(qn_scene_reference(NULL, true, &text));
     bool all = true;
     for (int s = 0; s < QN_SECTION_COUNT; s++)
         for (int k = 0; k < qn_sections[s].key_count; k++) {
@@ -480,7 +480,7 @@ static void the_reference_names_every_key(void)
 static void docs_scene_md_is_the_reference(void)
 {
     char *text;
-    CHECK_STATUS(qn_scene_reference(true, &text));
+    CHECK_STATUS(qn_scene_reference(NULL, true, &text));
     FILE *file = fopen(QUERN_SOURCE_DIR "/docs/scene.md", "rb");
     size_t size = strlen(text);
     char *page = calloc(1, size + 2);
