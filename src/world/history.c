@@ -113,6 +113,7 @@ qn_status qn_history_collect(qn_world *w)
     for (int t = 0; t < nb->share_count; t++) {
         const qn_share *share = &nb->shares[t];
         QN_TRY(QN_RESERVE(s->touches, s->touch_room, s->touch_count + share->wall_count));
+        if (share->wall_count == 0) continue;
         copy(s->touches + s->touch_count, share->walls, share->wall_count);
         s->touch_count += share->wall_count;
     }

@@ -160,7 +160,8 @@ qn_status JOIN(qn_lanes_touches, QN_ISA)(qn_world *w, qn_share *share, const qn_
         int from = at;
         while (at < share->wall_count && share->walls[at].index == i) at++;
         if (w->classes[w->place[i].klass].inverse_mass <= 0) continue;
-        QN_TRY(touch_walls(w, share, pose, mode, i, share->walls + from, at - from));
+        const qn_wall_contact *old = at > from ? share->walls + from : NULL;
+        QN_TRY(touch_walls(w, share, pose, mode, i, old, at - from));
     }
     for (int k = 0; k < w->surface_count * w->class_count; k++)
         flush_walls(w, share, pose, k, mode);
